@@ -1,0 +1,50 @@
+// From a scene to its timeline. Engines differ in how they find contacts; all exchange with collide().
+#pragma once
+
+#include "core/timeline/timeline.h"
+
+#include <cstdint>
+#include <variant>
+
+namespace thetalane {
+
+enum class EngineKind {
+    Event,   // from contact to contact, each at its own instant: exact between them
+    Stepped, // the paper's loop: move all by v·h, then exchange whatever overlaps
+};
+
+enum class Precision { Float, Double, Quad };
+
+struct EngineSettings {
+    EngineKind kind = EngineKind::Event;
+    Precision precision = Precision::Double;
+    double step = 1.0 / 60;       // h of the stepped engine [s]
+    bool approachingOnly = false; // the stepped engine's variant: exchange only when approaching
+    double until = 10;            // [s]
+    std::int64_t maxCollisions = 1'000'000;
+    bool keepDetail = true; // false: the end and the counts only
+
+    friend bool operator==(const EngineSettings&, const EngineSettings&) = default;
+};
+
+// A stepped run longer than this is taken for a slip of the pen.
+inline constexpr double maxSteps = 1e8;
+
+enum class RefusalReason { UntilNotPositive, StepNotPositive, TooManySteps, MaxCollisionsNotPositive };
+
+struct Refusal {
+    RefusalReason reason{};
+    double value = 0;
+    double limit = 0;
+};
+
+struct Run {
+    Scene scene;
+    EngineSettings settings;
+    Timeline timeline;
+};
+
+// Runs a scene that validate() finds nothing wrong with. A setting that cannot be met is refused, not bent.
+std::variant<Run, Refusal> simulate(Scene scene, const EngineSettings& settings);
+
+} // namespace thetalane

@@ -1,0 +1,60 @@
+// The regulation lane and rack, and a throw at it. The head pin stands at (0, 0), y points to the pit.
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <array>
+#include <numbers>
+#include <vector>
+
+namespace thetalane {
+
+// USBC / World Bowling equipment specifications. Metres, kilograms.
+namespace regulation {
+inline constexpr double laneWidth = 1.0541; // 39 boards
+inline constexpr double foulLineToHeadPin = 18.288;
+inline constexpr double headPinToEnd = 0.868;
+inline constexpr double gutterWidth = 0.235;
+inline constexpr double pitDepth = 0.762;
+inline constexpr double pinSpacing = 0.3048;
+inline constexpr double pinRowSpacing = 0.26396; // pinSpacing · √3/2
+inline constexpr double pinRadius = 0.06053;     // widest, at 11.4 cm height
+inline constexpr double pinMass = 1.59;          // 1.531 to 1.645
+inline constexpr double pinCentreOfGravity = 0.147;
+inline constexpr double pinBaseRadius = 0.026;
+inline constexpr double ballRadius = 0.10845; // 215.9 to 218.3 mm across
+inline constexpr double maxBallMass = 7.26;   // 16 lb
+} // namespace regulation
+
+// Nobody could be found to have measured it; games use 0.08 to 0.85. A visible control.
+inline constexpr double defaultPinRestitution = 0.75;
+
+// The paper's attributes of the ball (fig. 12). Angles in radians.
+struct Throw {
+    double mass = 6.8;                               // kg
+    double speed = 8.0;                              // m/s
+    double direction = 1.5 * std::numbers::pi / 180; // from straight down the lane, positive to the right
+    double position =
+        -0.41;       // of the ball's centre at the foul line, from the middle, positive to the right [m]
+    double spin = 0; // rad/s
+    double axis = 0; // of the spin, from a forward roll, positive hooks to the left
+
+    friend bool operator==(const Throw&, const Throw&) = default;
+};
+
+// Centres of pins 1 to 10 (index 0 to 9) [m].
+std::array<Vec2d, 10> pinPositions();
+
+// Ten pins named "1" to "10", standing.
+std::vector<Body> fullRack();
+
+Lane regulationLane();
+
+// One ball at the foul line, the whole lane, a full rack. Validity is validate()'s business.
+Scene bowlingScene(const Throw& ballThrow, double restitution = defaultPinRestitution);
+
+// The ball close before the rack, free of the lane: the scene of the frictionless studies.
+// offset [m]: of the ball's path from the head pin; entryAngle [rad]: positive to the right.
+Scene rackScene(double offset, double entryAngle, double speed, double restitution = defaultPinRestitution);
+
+} // namespace thetalane

@@ -1,0 +1,36 @@
+#include "core/timeline/recorder.h"
+
+namespace thetalane {
+
+Recorder::Recorder(std::size_t bodyCount, bool keepDetail)
+    : m_bodyCount(bodyCount)
+    , m_keepDetail(keepDetail) {
+    m_record.segments.reserve(keepDetail ? 4 * bodyCount : bodyCount);
+}
+
+void Recorder::segment(int body, const Segment& segment) {
+    if (m_keepDetail || m_record.segments.size() < m_bodyCount)
+        m_record.segments.push_back({body, segment});
+    else
+        m_record.segments[std::size_t(body)].segment =
+            segment; // the first ones came in the order of the bodies
+}
+
+void Recorder::collision(const Collision& collision) {
+    ++m_record.collisionCount;
+    if (m_keepDetail)
+        m_record.collisions.push_back(collision);
+}
+
+void Recorder::departure(const Departure& departure) {
+    if (m_keepDetail)
+        m_record.departures.push_back(departure);
+}
+
+Timeline Recorder::finish(double endTime, EndReason reason) {
+    m_record.endTime = endTime;
+    m_record.endReason = reason;
+    return Timeline(m_bodyCount, std::move(m_record));
+}
+
+} // namespace thetalane

@@ -1,0 +1,27 @@
+// Where an engine writes what happens. A summary keeps the last segment of each body and no list.
+#pragma once
+
+#include "core/timeline/timeline.h"
+
+namespace thetalane {
+
+class Recorder {
+public:
+    Recorder(std::size_t bodyCount, bool keepDetail);
+
+    void segment(int body, const Segment& segment);
+    void collision(const Collision& collision);
+    void departure(const Departure& departure);
+
+    bool keepsDetail() const { return m_keepDetail; }
+    std::int64_t collisionCount() const { return m_record.collisionCount; }
+
+    Timeline finish(double endTime, EndReason reason);
+
+private:
+    std::size_t m_bodyCount;
+    bool m_keepDetail;
+    TimelineRecord m_record;
+};
+
+} // namespace thetalane
