@@ -8,9 +8,10 @@
 
 #include "core/engine/engine.h"
 #include "core/engine/models.h"
-#include "core/motion/impact.h"
+#include "core/engine/moving_discs.h"
 #include "core/timeline/recorder.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -24,26 +25,22 @@ public:
         , m_lane(scene.lane)
         , m_until(settings.until)
         , m_maxCollisions(settings.maxCollisions)
-        , m_next(scene.bodies.size())
-        , m_recorder(scene.bodies.size(), settings.keepDetail) {
-        m_bodies.reserve(scene.bodies.size());
-        for (const Body& b : scene.bodies)
-            m_bodies.push_back(
-                {{Real(b.mass), Real(b.radius), convert<Real>(b.position), convert<Real>(b.velocity)},
-                 Real(0),
-                 Place::Play});
-    }
+        , m_discs(scene.bodies)
+        , m_places(HasLane ? m_discs.count() : 0, Place::Play)
+        , m_next(m_discs.count())
+        , m_in(m_discs.count())
+        , m_recorder(m_discs.count(), settings.keepDetail) {}
 
     Timeline run() {
-        for (int i = 0; i < count(); ++i)
+        for (Index i = 0; i < m_discs.count(); ++i)
             record(i);
-        for (int i = 0; i < count(); ++i)
-            findNext(i);
+        for (Index i = 0; i < m_discs.count(); ++i)
+            findNext(i, i + 1);
         for (;;) {
-            const int first = earliest();
-            const Next next = m_next[std::size_t(first)];
+            const Index first = earliest();
+            const Next next = m_next[first];
             if (next.kind == Kind::None)
-                return finish(atRest() ? EndReason::AtRest : EndReason::NoMoreCollisions);
+                return finish(m_discs.allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions);
             if (next.time > m_until)
                 return finish(EndReason::Until);
             if (next.kind != Kind::LaneEdge && m_recorder.collisionCount() >= m_maxCollisions)
@@ -54,92 +51,78 @@ public:
     }
 
 private:
+    using Index = std::size_t;
+    static constexpr Index nobody = Index(-1);
+
     enum class Kind : unsigned char { None, Pair, Wall, LaneEdge };
     struct Next {
-        Real time = never;
-        int partner = -1; // of a pair
+        Real time = std::numeric_limits<Real>::infinity();
+        unsigned partner = 0; // of a pair
         Kind kind = Kind::None;
         unsigned char detail = 0; // which Side or LaneEvent
     };
-    struct Moving {
-        Disc<Real> disc; // as it was at `since`
-        Real since{};
-        Place place = Place::Play;
-    };
-    static inline const Real never = std::numeric_limits<Real>::infinity();
 
-    int count() const { return int(m_bodies.size()); }
-    Moving& body(int i) { return m_bodies[std::size_t(i)]; }
-    const Moving& body(int i) const { return m_bodies[std::size_t(i)]; }
-    Next& next(int i) { return m_next[std::size_t(i)]; }
+    Place place(Index i) const { return HasLane ? m_places[i] : Place::Play; }
+    bool inPlay(Index i) const { return place(i) == Place::Play; }
 
-    Vec2<Real> positionNow(const Moving& b) const {
-        return b.disc.position + b.disc.velocity * Real(m_now - b.since);
-    }
-
-    int earliest() const {
-        int best = 0;
-        for (int i = 1; i < count(); ++i)
-            if (m_next[std::size_t(i)].time < m_next[std::size_t(best)].time)
+    Index earliest() const {
+        Index best = 0;
+        for (Index i = 1; i < m_next.size(); ++i)
+            if (m_next[i].time < m_next[best].time)
                 best = i;
         return best;
     }
 
-    bool atRest() const {
-        for (const Moving& b : m_bodies)
-            if (!(b.disc.velocity == Vec2<Real>{}))
-                return false;
-        return true;
-    }
-
     // The next event of one body on its own: a wall, an edge of the lane.
-    Next findOwn(const Moving& b, const Vec2<Real>& p) const {
+    Next findOwn(Index i) const {
         Next own;
-        if constexpr (HasFrame) {
-            for (const Side side : sides) {
-                const auto a = approachTo(side, m_walls.at[int(side)], p, b.disc.velocity, b.disc.radius);
-                if (!(a.speed > 0) || a.gap == never)
-                    continue;
-                const Real time = m_now + (a.gap > 0 ? Real(a.gap / a.speed) : Real(0));
-                if (time < own.time)
-                    own = {time, -1, Kind::Wall, static_cast<unsigned char>(side)};
+        if constexpr (HasFrame || HasLane) {
+            const Vec2<Real> p = m_discs.positionAt(i, m_now);
+            const Vec2<Real> v = m_discs.velocity(i);
+            const Real radius = m_discs.radiusOf(i);
+            if constexpr (HasFrame)
+                considerWalls(p, v, radius, own);
+            if constexpr (HasLane) {
+                const auto edge = nextLaneEvent(m_lane, p, v, radius, m_places[i]);
+                if (edge.event != LaneEvent::None && m_now + edge.in < own.time)
+                    own = {m_now + edge.in, 0, Kind::LaneEdge, static_cast<unsigned char>(edge.event)};
             }
-        }
-        if constexpr (HasLane) {
-            const auto edge = nextLaneEvent(m_lane, p, b.disc.velocity, b.disc.radius, b.place);
-            if (edge.event != LaneEvent::None && m_now + edge.in < own.time)
-                own = {m_now + edge.in, -1, Kind::LaneEdge, static_cast<unsigned char>(edge.event)};
         }
         return own;
     }
 
-    // Finds body i's next event. A partner that would meet it sooner than anything else takes note of it too.
-    void findNext(int i) {
-        const Moving& a = body(i);
-        const Vec2<Real> p = positionNow(a);
-        const Vec2<Real> v = a.disc.velocity;
-        const Real speed2 = dot(v, v);
-        Next best = findOwn(a, p);
-        for (int j = 0; j < count() && (!HasLane || a.place == Place::Play); ++j) {
-            const Moving& b = body(j);
-            if (j == i || (HasLane && b.place != Place::Play))
+    void considerWalls(const Vec2<Real>& p, const Vec2<Real>& v, const Real& radius, Next& own) const {
+        for (const Side side : sides) {
+            const auto a = approachTo(side, m_walls.at[int(side)], p, v, radius);
+            if (!(a.speed > 0) || a.gap == std::numeric_limits<Real>::infinity())
                 continue;
-            const Vec2<Real> u = b.disc.velocity;
-            const Real in = timeToImpact<Real>(p - positionNow(b), v - u, a.disc.radius + b.disc.radius,
-                                               speed2 + dot(u, u));
-            const Real time = m_now + in;
-            if (time < best.time)
-                best = {time, j, Kind::Pair, 0};
-            if (time < next(j).time)
-                next(j) = {time, i, Kind::Pair, 0};
+            const Real time = m_now + (a.gap > 0 ? Real(a.gap / a.speed) : Real(0));
+            if (time < own.time)
+                own = {time, 0, Kind::Wall, static_cast<unsigned char>(side)};
         }
-        next(i) = best;
     }
 
-    void happen(int i, const Next& event) {
+    // Finds what happens next to body i, by itself or with bodies from `from` on. Each pair is looked at by
+    // the one that changed course last, so a body that only waits to be struck keeps no event and is not
+    // asked again.
+    void findNext(Index i, Index from = 0) {
+        m_next[i] = findOwn(i);
+        if (!inPlay(i))
+            return;
+        m_discs.timesToImpact(i, from, m_now, m_in.data());
+        for (Index j = from; j < m_discs.count(); ++j) {
+            if (!(m_in[j] < std::numeric_limits<Real>::infinity()) || !inPlay(j))
+                continue;
+            const Real time = m_now + m_in[j];
+            if (time < m_next[i].time)
+                m_next[i] = {time, unsigned(j), Kind::Pair, 0};
+        }
+    }
+
+    void happen(Index i, const Next& event) {
         switch (event.kind) {
         case Kind::Pair:
-            return collidePair(std::min(i, event.partner), std::max(i, event.partner));
+            return collidePair(std::min<Index>(i, event.partner), std::max<Index>(i, event.partner));
         case Kind::Wall:
             return collideWall(i, Side(event.detail));
         case Kind::LaneEdge:
@@ -149,77 +132,65 @@ private:
         }
     }
 
-    void collidePair(int i, int j) {
-        moveToNow(i);
-        moveToNow(j);
-        const auto steps = collide(body(i).disc, body(j).disc, m_restitution);
-        body(i).disc.velocity = steps.after.first;
-        body(j).disc.velocity = steps.after.second;
-        recordCollision(i, j, Side::Left, steps);
-        record(i);
-        record(j);
+    void collidePair(Index i, Index j) {
+        m_discs.moveTo(i, m_now);
+        m_discs.moveTo(j, m_now);
+        const auto steps = collide(m_discs.disc(i), m_discs.disc(j), m_restitution);
+        // Where they graze, rounding can bring them together as they already part: a contact never pulls.
+        if (steps.rotated.first.x >= steps.rotated.second.x)
+            return changedCourse(i, j);
+        m_discs.setVelocity(i, steps.after.first);
+        m_discs.setVelocity(j, steps.after.second);
+        m_recorder.collision(static_cast<double>(m_now), int(i), int(j), Side::Left, steps);
         changedCourse(i, j);
     }
 
-    void collideWall(int i, Side side) {
-        moveToNow(i);
-        const auto steps = collideWithSide(body(i).disc, side, m_walls.restitution);
-        body(i).disc.velocity = steps.after.first;
-        recordCollision(i, -1, side, steps);
-        record(i);
-        changedCourse(i, -1);
+    void collideWall(Index i, Side side) {
+        m_discs.moveTo(i, m_now);
+        const auto steps = collideWithSide(m_discs.disc(i), side, m_walls.restitution);
+        m_discs.setVelocity(i, steps.after.first);
+        m_recorder.collision(static_cast<double>(m_now), int(i), -1, side, steps);
+        changedCourse(i, nobody);
     }
 
-    void crossEdge(int i, LaneEvent event) {
-        moveToNow(i);
-        const Place before = body(i).place;
-        applyLaneEvent(event, body(i).disc.velocity, body(i).place);
-        if (body(i).place != before)
-            m_recorder.departure({static_cast<double>(m_now), i, body(i).place});
-        record(i);
-        changedCourse(i, -1);
+    void crossEdge(Index i, LaneEvent event) {
+        m_discs.moveTo(i, m_now);
+        const Place before = m_places[i];
+        Vec2<Real> v = m_discs.velocity(i);
+        applyLaneEvent(event, v, m_places[i]);
+        m_discs.setVelocity(i, v);
+        if (m_places[i] != before)
+            m_recorder.departure({static_cast<double>(m_now), int(i), m_places[i]});
+        changedCourse(i, nobody);
     }
 
-    void moveToNow(int i) {
-        body(i).disc.position = positionNow(body(i));
-        body(i).since = m_now;
-    }
-
-    // Bodies i and j (or i alone, j = -1) move otherwise from now on: whoever counted on them looks again.
-    void changedCourse(int i, int j) {
-        next(i) = Next{};
-        if (j >= 0)
-            next(j) = Next{};
-        findNext(i);
-        if (j >= 0)
-            findNext(j);
-        for (int k = 0; k < count(); ++k) {
-            if (k == i || k == j || next(k).kind != Kind::Pair)
-                continue;
-            const int partner = next(k).partner;
-            if (partner == i || partner == j)
-                findNext(k);
+    // Bodies i and j (or i alone) move otherwise from now on: they and whoever counted on them look again.
+    void changedCourse(Index i, Index j) {
+        m_lookAgain.clear();
+        for (Index k = 0; k < m_next.size(); ++k) {
+            const bool countedOnThem =
+                m_next[k].kind == Kind::Pair && (m_next[k].partner == i || m_next[k].partner == j);
+            if (k == i || k == j || countedOnThem)
+                m_lookAgain.push_back(k);
         }
+        record(i);
+        if (j != nobody)
+            record(j);
+        for (const Index k : m_lookAgain)
+            findNext(k);
     }
 
-    void record(int i) {
-        const Moving& b = body(i);
-        m_recorder.segment(i, {static_cast<double>(b.since),
-                               convert<double>(b.disc.position),
-                               convert<double>(b.disc.velocity),
-                               {},
-                               b.place});
-    }
-
-    void recordCollision(int i, int j, Side side, const PairCollision<Real>& steps) {
-        m_recorder.collision({static_cast<double>(m_now), i, j, side, 0, convert<double>(steps)});
+    void record(Index i) {
+        m_recorder.segment(int(i), {static_cast<double>(m_discs.since(i)),
+                                    convert<double>(m_discs.position(i)),
+                                    convert<double>(m_discs.velocity(i)),
+                                    {},
+                                    place(i)});
     }
 
     Timeline finish(EndReason reason) {
-        const double end = reason == EndReason::Until || reason == EndReason::NoMoreCollisions
-                               ? static_cast<double>(m_until)
-                               : static_cast<double>(m_now);
-        return m_recorder.finish(end, reason);
+        const bool toTheEnd = reason == EndReason::Until || reason == EndReason::NoMoreCollisions;
+        return m_recorder.finish(static_cast<double>(toTheEnd ? m_until : m_now), reason);
     }
 
     Real m_restitution;
@@ -228,8 +199,11 @@ private:
     Real m_until;
     std::int64_t m_maxCollisions;
     Real m_now{0};
-    std::vector<Moving> m_bodies;
+    MovingDiscs<Real> m_discs;
+    std::vector<Place> m_places; // of a scene with a lane
     std::vector<Next> m_next;
+    std::vector<Real> m_in;         // of the last timesToImpact()
+    std::vector<Index> m_lookAgain; // of the last changedCourse()
     Recorder m_recorder;
 };
 

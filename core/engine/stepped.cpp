@@ -67,7 +67,7 @@ private:
                 m_discs[i].velocity = steps.after.first;
                 m_discs[j].velocity = steps.after.second;
                 m_changed[i] = m_changed[j] = true;
-                m_recorder.collision({time, int(i), int(j), Side::Left, 0, convert<double>(steps)});
+                m_recorder.collision(time, int(i), int(j), Side::Left, steps);
                 if (full())
                     return true;
             }
@@ -85,7 +85,7 @@ private:
                 const auto steps = collideWithSide(d, side, m_walls.restitution);
                 d.velocity = steps.after.first;
                 m_changed[i] = true;
-                m_recorder.collision({time, int(i), -1, side, 0, convert<double>(steps)});
+                m_recorder.collision(time, int(i), -1, side, steps);
                 if (full())
                     return true;
             }

@@ -5,7 +5,8 @@ namespace thetalane {
 Recorder::Recorder(std::size_t bodyCount, bool keepDetail)
     : m_bodyCount(bodyCount)
     , m_keepDetail(keepDetail) {
-    m_record.segments.reserve(keepDetail ? 4 * bodyCount : bodyCount);
+    m_record.segments.reserve(keepDetail ? 4 * bodyCount + 24 : bodyCount);
+    m_record.collisions.reserve(keepDetail ? 16 : 0);
 }
 
 void Recorder::segment(int body, const Segment& segment) {
@@ -14,12 +15,6 @@ void Recorder::segment(int body, const Segment& segment) {
     else
         m_record.segments[std::size_t(body)].segment =
             segment; // the first ones came in the order of the bodies
-}
-
-void Recorder::collision(const Collision& collision) {
-    ++m_record.collisionCount;
-    if (m_keepDetail)
-        m_record.collisions.push_back(collision);
 }
 
 void Recorder::departure(const Departure& departure) {

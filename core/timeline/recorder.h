@@ -10,7 +10,13 @@ public:
     Recorder(std::size_t bodyCount, bool keepDetail);
 
     void segment(int body, const Segment& segment);
-    void collision(const Collision& collision);
+    // `second` is -1 for a wall. Counted always, converted and kept only where details are.
+    template <class Real>
+    void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps) {
+        ++m_record.collisionCount;
+        if (m_keepDetail)
+            m_record.collisions.push_back({time, first, second, side, 0, convert<double>(steps)});
+    }
     void departure(const Departure& departure);
 
     bool keepsDetail() const { return m_keepDetail; }

@@ -1,0 +1,120 @@
+#include "tests/architecture/include_rules.h"
+
+#include <QRegularExpression>
+
+namespace thetalane::architecture {
+namespace {
+
+// Rooms of the same level know nothing of each other; every room may include those of lower levels.
+struct Room {
+    const char* name;
+    int level;
+};
+// The longer names first: a path belongs to the first room that it starts with.
+constexpr Room rooms[] = {
+    {"core/math", 0},     {"core/collision", 1}, {"core/motion", 1},  {"core/scene", 2},
+    {"core/timeline", 3}, {"core/engine", 4},    {"core/bowling", 5}, {"core/study", 6},
+    {"core/format", 7},   {"ui/words", 8},       {"ui/plot", 9},      {"ui/lane", 11},
+    {"ui/steps", 11},     {"ui/panels", 11},     {"ui", 10},          {"app", 13},
+};
+constexpr int assemblyLevel = 12; // the main window, which puts the panels together
+
+int levelOf(const QString& room) {
+    for (const Room& r : rooms)
+        if (room == QLatin1String(r.name))
+            return r.level;
+    return -1;
+}
+
+bool isAssembly(const QString& path) {
+    return path.startsWith("ui/main_window");
+}
+
+int levelOfFile(const QString& path) {
+    return isAssembly(path) ? assemblyLevel : levelOf(roomOf(path));
+}
+
+bool isView(const QString& room) {
+    return room == "ui/lane" || room == "ui/steps" || room == "ui/panels";
+}
+
+// Panels are shown what an engine made; they never see one.
+QString forbiddenToViews(const QString& path, const QString& room, const QString& target) {
+    static const QStringList engines{"core/engine/engines.h", "core/engine/next_event_engine.h",
+                                     "core/engine/models.h", "core/motion/impact.h"};
+    if (!isView(room))
+        return {};
+    if (engines.contains(target))
+        return "a view includes an engine";
+    const QString targetRoom = roomOf(target);
+    if (isView(targetRoom) && targetRoom != room)
+        return "a view includes another view";
+    const QString stem = path.left(path.lastIndexOf('.')), targetStem = target.left(target.lastIndexOf('.'));
+    // Within ui/panels each panel is a room of its own.
+    if (room == "ui/panels" && targetRoom == room && stem != targetStem && target.endsWith("_panel.h"))
+        return "a panel includes another panel";
+    return {};
+}
+
+QString broken(const QString& path, const Include& include) {
+    const QString room = roomOf(path);
+    if (!include.quoted) {
+        static const QRegularExpression qt("^(Qt|Q[A-Z])");
+        return room.startsWith("core/") && room != "core/format" && qt.match(include.target).hasMatch()
+                   ? QString("core/ has no Qt outside core/format")
+                   : QString();
+    }
+    if (include.target.endsWith(".moc") || include.target.startsWith("ui_"))
+        return {};
+    const QString targetRoom = roomOf(include.target);
+    if (targetRoom.isEmpty())
+        return "not included from the repository's root, or no known room";
+    if (const QString why = forbiddenToViews(path, room, include.target); !why.isEmpty())
+        return why;
+    const int own = levelOfFile(path), other = levelOfFile(include.target);
+    if (targetRoom == room && !(isAssembly(include.target) && !isAssembly(path)))
+        return {};
+    return other < own ? QString() : QString("a room includes one that is built on it, or beside it");
+}
+
+// Comments taken out, lines kept; a #include cannot stand in a string of this repository.
+QString withoutComments(QString source) {
+    static const QRegularExpression block("/\\*.*?\\*/", QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression line("//[^\n]*");
+    for (auto m = block.match(source); m.hasMatch(); m = block.match(source))
+        source.replace(m.capturedStart(), m.capturedLength(), QString(m.captured().count('\n'), '\n'));
+    return source.remove(line);
+}
+
+} // namespace
+
+QString roomOf(const QString& path) {
+    for (const Room& r : rooms)
+        if (path.startsWith(QLatin1String(r.name) + '/'))
+            return r.name;
+    return {};
+}
+
+QList<Include> includesOf(const QString& source) {
+    static const QRegularExpression directive("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]");
+    QList<Include> found;
+    int number = 0;
+    for (const QString& line : withoutComments(source).split('\n')) {
+        ++number;
+        if (const auto m = directive.match(line); m.hasMatch())
+            found.append({m.captured(2), m.captured(1) == "\"", number});
+    }
+    return found;
+}
+
+QStringList violations(const QString& path, const QString& source) {
+    QStringList out;
+    if (roomOf(path).isEmpty())
+        return {path + ": in no known room"};
+    for (const Include& include : includesOf(source))
+        if (const QString why = broken(path, include); !why.isEmpty())
+            out << QString("%1:%2: %3 (%4)").arg(path).arg(include.line).arg(why, include.target);
+    return out;
+}
+
+} // namespace thetalane::architecture

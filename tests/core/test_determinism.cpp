@@ -1,0 +1,123 @@
+// The same scene and engine give the same bits on every build type and compiler: a replay is the scene and
+// nothing else. A hash that changes means that results changed: look why before writing the new one here.
+// (The two hashes of "bowling" rest on the C library's sin and cos of the throw's direction, too.)
+#include "core/engine/engine.h"
+#include "core/scene/builtin.h"
+#include "tests/core/support.h"
+
+#include <QTest>
+
+#include <bit>
+
+using namespace thetalane;
+using namespace thetalane::testing;
+
+namespace {
+
+class Fnv1a {
+public:
+    void add(std::uint64_t word) {
+        for (int i = 0; i < 8; ++i)
+            m_hash = (m_hash ^ (word >> (8 * i) & 0xff)) * 0x100000001b3u;
+    }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(Vec2d v) { add(v.x), add(v.y); }
+    void add(const VelocityPair<double>& v) { add(v.first), add(v.second); }
+    std::uint64_t value() const { return m_hash; }
+
+private:
+    std::uint64_t m_hash = 0xcbf29ce484222325u;
+};
+
+std::uint64_t hashOf(const Timeline& timeline) {
+    Fnv1a hash;
+    for (const Collision& c : timeline.collisions()) {
+        hash.add(c.time);
+        hash.add(std::uint64_t(c.first) << 32 | std::uint64_t(c.second + 1) << 8 | std::uint64_t(c.side));
+        hash.add(c.steps.first.position);
+        hash.add(c.steps.second.position);
+        hash.add(c.steps.contact.cosTheta);
+        hash.add(c.steps.contact.sinTheta);
+        hash.add(c.steps.before);
+        hash.add(c.steps.rotated);
+        hash.add(c.steps.exchanged);
+        hash.add(c.steps.after);
+        hash.add(c.steps.impulse);
+        hash.add(c.steps.energyLoss);
+    }
+    for (const Departure& d : timeline.departures())
+        hash.add(d.time);
+    hash.add(timeline.endTime());
+    for (const BodyState& s : timeline.stateAt(timeline.endTime())) {
+        hash.add(s.position);
+        hash.add(s.velocity);
+        hash.add(std::uint64_t(s.place));
+    }
+    return hash.value();
+}
+
+struct Golden {
+    const char* scene;
+    std::uint64_t eventDouble, eventFloat, steppedDouble, steppedFloat;
+};
+
+constexpr Golden golden[] = {
+    {"two-balls", 0x1a21c69f437d2240, 0x6e82bd715bfbabca, 0xba2ae43f7e11adae, 0x4b63c6054dfaa4ca},
+    {"head-on", 0xcf2d885564948878, 0xd4046f2f18c223d5, 0x8adbe9c1bd20cfd4, 0x5f69c04d629044af},
+    {"right-angle", 0x211262157032705b, 0x72729c3e9e6e1276, 0xa723d8e2321363da, 0x766a06f7b744a31c},
+    {"heavy-light", 0x4f007123dd09d785, 0xf4dbf0784e17cba4, 0x5a19ff04c4c432ff, 0x5c30e2d79b065076},
+    {"light-heavy", 0x5afa4f1ede523967, 0xa05dc11d89c43bf4, 0x7e9c24bda7e0c0f7, 0xbd69ffc7c344b9c3},
+    {"glancing", 0xb57150daa7b16040, 0x75ff83fa04120440, 0x77dfd739e7093f2a, 0x4bbb8c26979fa6d0},
+    {"inelastic", 0x71866f4a5953dbea, 0x2a90eb59443e3c0f, 0x7f5d5e9761bd250d, 0x9ce349789b0f5e0a},
+    {"cradle", 0xda5de26ce3843801, 0x21f53a15976149b5, 0x63b0bb61212a839a, 0x2c36ecf29bc9256c},
+    {"rack", 0x41e7961f3d4f4d0c, 0x8e6d0e1515b95a8f, 0xcea77120ab24b801, 0x92ddd62bd2364f0a},
+    {"bowling", 0x5bcd262ad755d4f6, 0x858c5e9ad2c7fe42, 0xf5015f327792572d, 0xf2725dfde114fdc1},
+};
+
+} // namespace
+
+class TestDeterminism : public QObject {
+    Q_OBJECT
+
+private slots:
+    void goldenHashes_data() {
+        QTest::addColumn<QString>("id");
+        for (const BuiltinScene& b : builtinScenes())
+            QTest::newRow(b.id.data()) << QString::fromUtf8(b.id.data());
+    }
+    void goldenHashes() {
+        QFETCH(QString, id);
+        const Scene scene = *builtinScene(id.toStdString());
+        const std::uint64_t got[] = {hashOf(runOf(scene, eventSettings(5))),
+                                     hashOf(runOf(scene, eventSettings(5, Precision::Float))),
+                                     hashOf(runOf(scene, steppedSettings(5, 1.0 / 60))),
+                                     hashOf(runOf(scene, steppedSettings(5, 1.0 / 60, Precision::Float)))};
+        const QString line = QString("{\"%1\", 0x%2, 0x%3, 0x%4, 0x%5},")
+                                 .arg(id)
+                                 .arg(got[0], 16, 16, QChar('0'))
+                                 .arg(got[1], 16, 16, QChar('0'))
+                                 .arg(got[2], 16, 16, QChar('0'))
+                                 .arg(got[3], 16, 16, QChar('0'));
+        for (const Golden& g : golden) {
+            if (id != g.scene)
+                continue;
+            const bool same = got[0] == g.eventDouble && got[1] == g.eventFloat &&
+                              got[2] == g.steppedDouble && got[3] == g.steppedFloat;
+            QVERIFY2(same, qPrintable("these bits are new: " + line));
+            return;
+        }
+        QFAIL(qPrintable("no golden hash: " + line));
+    }
+
+    // What runs before, and how often, leaves no trace.
+    void noStateIsKeptBetweenRuns() {
+        const Scene scene = *builtinScene("rack");
+        const std::uint64_t once = hashOf(runOf(scene, eventSettings(5)));
+        for (const BuiltinScene& b : builtinScenes())
+            runOf(b.make(), eventSettings(5));
+        QCOMPARE(hashOf(runOf(scene, eventSettings(5))), once);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDeterminism)
+#include "test_determinism.moc"
