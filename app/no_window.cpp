@@ -1,0 +1,19 @@
+// In place of window.cpp where the program is built without a window.
+#include "app/console.h"
+#include "app/window.h"
+
+#include <QCoreApplication>
+
+namespace thetalane {
+
+int runWindow(int&, char**, const WindowRequest&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "this program was built without the window; thetalane --help lists the commands"));
+}
+
+int drawPicture(int&, char**, const PictureRequest&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "picture: this program was built without the window, and cannot draw it"));
+}
+
+} // namespace thetalane

@@ -1,0 +1,98 @@
+#include "app/run_report.h"
+
+#include "app/console.h"
+#include "app/text_table.h"
+#include "core/format/run_names.h"
+#include "ui/words/number_text.h"
+#include "ui/words/scene_text.h"
+#include "ui/words/worked_steps.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <numbers>
+
+namespace thetalane {
+namespace {
+
+struct RunReportText {
+    Q_DECLARE_TR_FUNCTIONS(RunReportText)
+};
+
+constexpr int timeDigits = 6; // collisions of one break follow each other by a millisecond
+
+QString engineText(const EngineSettings& s) {
+    QString text = s.kind == EngineKind::Event
+                       ? RunReportText::tr("event engine")
+                       : RunReportText::tr("stepped engine, step %1 s").arg(numberText(s.step));
+    if (s.kind == EngineKind::Stepped && s.approachingOnly)
+        text += ", " + RunReportText::tr("approaching only");
+    return text + ", " + fileName(s.precision);
+}
+
+QStringList collisionRow(const Run& run, std::size_t i) {
+    const Collision& c = run.timeline.collisions()[i];
+    const Contact<double>& contact = c.steps.contact;
+    const double degrees = std::atan2(contact.sinTheta, contact.cosTheta) * 180 / std::numbers::pi;
+    return {QString::number(i + 1),        numberText(c.time, timeDigits),
+            pairText(run.scene, c),        numberText(contact.Z),
+            numberText(degrees),           numberText(c.steps.impulse),
+            numberText(c.steps.energyLoss)};
+}
+
+QString change(double from, double to) {
+    return numberText(to - from);
+}
+
+QStringList totalsRow(const QString& name, double from, double to) {
+    return {name, numberText(from, 6), numberText(to, 6), change(from, to)};
+}
+
+} // namespace
+
+QString pairText(const Scene& scene, const Collision& collision) {
+    return oneLine(bodyName(scene, collision.first) + " – " + partnerName(scene, collision));
+}
+
+void printHeading(const Run& run, Language::Code language) {
+    const QString title = oneLine(sceneTitle(run.scene, language));
+    printLine(title.isEmpty() ? engineText(run.settings) : title + " (" + engineText(run.settings) + ')');
+    printLine();
+}
+
+void printCollisions(const Run& run) {
+    if (run.timeline.collisions().empty())
+        return;
+    using enum Column::Align;
+    printTable({{RunReportText::tr("No."), Right},
+                {RunReportText::tr("Time [s]"), Right},
+                {RunReportText::tr("Bodies"), Left},
+                {"Z [m]", Right},
+                {"θ [°]", Right},
+                {RunReportText::tr("Impulse [N·s]"), Right},
+                {RunReportText::tr("Energy loss [J]"), Right}},
+               run.timeline.collisions().size(), [&run](std::size_t i) { return collisionRow(run, i); });
+    printLine();
+}
+
+void printTotals(const Run& run) {
+    const Totals start = totals(run.scene, run.timeline.stateAt(0));
+    const Totals end = totals(run.scene, run.timeline.stateAt(run.timeline.endTime()));
+    const QList<QStringList> rows{
+        totalsRow(RunReportText::tr("Momentum, x [kg·m/s]"), start.momentum.x, end.momentum.x),
+        totalsRow(RunReportText::tr("Momentum, y [kg·m/s]"), start.momentum.y, end.momentum.y),
+        totalsRow(RunReportText::tr("Kinetic energy [J]"), start.energy, end.energy)};
+    using enum Column::Align;
+    printTable({{RunReportText::tr("Total"), Left},
+                {RunReportText::tr("Start"), Right},
+                {RunReportText::tr("End"), Right},
+                {RunReportText::tr("Change"), Right}},
+               std::size_t(rows.size()), [&rows](std::size_t i) { return rows[qsizetype(i)]; });
+    printLine();
+    printLine(RunReportText::tr("Collisions: %1").arg(run.timeline.collisionCount()));
+    printLine(
+        RunReportText::tr("Ended at %1 s: %2")
+            .arg(numberText(run.timeline.endTime(), timeDigits), endReasonText(run.timeline.endReason())));
+}
+
+} // namespace thetalane

@@ -1,0 +1,19 @@
+// What a run writes: JSON for programs (version 1), CSV for spreadsheets. Numbers read back to the same
+// double.
+#pragma once
+
+#include "core/engine/engine.h"
+
+#include <QIODevice>
+#include <QJsonObject>
+
+namespace thetalane {
+
+// Streams, so that a million collisions need no more memory than one. `extra` is added at the top level
+// ("throw", "pins_down"). False when the device cannot be written.
+bool writeRunJson(const Run& run, QIODevice& out, const QJsonObject& extra = {});
+
+// A header and one row a collision; names of JSON joined by ".": before.first.x
+bool writeRunCsv(const Run& run, QIODevice& out);
+
+} // namespace thetalane

@@ -1,0 +1,270 @@
+// The program as it is called: exit statuses, and one line for every fault.
+#include "core/format/scene_file.h"
+#include "core/scene/builtin.h"
+#include "tests/app/program.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace thetalane;
+
+namespace {
+
+bool isOneLine(const QString& text) {
+    return text.endsWith('\n') && text.count('\n') == 1 && text.size() > 1;
+}
+
+bool hasHangul(const QString& text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](QChar c) { return c.unicode() >= 0xAC00 && c.unicode() <= 0xD7A3; });
+}
+
+} // namespace
+
+class TestCommands : public QObject {
+    Q_OBJECT
+
+private slots:
+    void goodCalls_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("contains");
+        const auto row = [](const QString& line, const char* contains) {
+            QTest::newRow(qPrintable(line)) << line.split(' ') << contains;
+        };
+        row("--help", "thetalane explain");
+        row("-h", "thetalane explain");
+        row("--version", "ThetaLane ");
+        for (const char* command : {"run", "explain", "throw", "scenes", "scene"}) {
+            row(QString(command) + " --help", "Usage: thetalane ");
+            row(QString(command) + " --help --language ko", "사용법: thetalane ");
+        }
+        row("scenes", "right-angle  Equal masses part at 90°");
+        row("scenes --language ko", "right-angle  질량이 같으면 90°로 갈라진다");
+        row("scene bowling", "\"foul_line\": -18.288");
+        row("run two-balls", "Energy loss [J]");
+        row("run two-balls --language ko", "에너지 손실 [J]");
+        row("--language ko scenes", "");
+        row("run two-balls --until=2", "Collisions: 5");
+        row("run two-balls --summary", "Collisions: 17");
+        row("run two-balls --summary --json", "\"collision_count\": 17");
+        row("run two-balls --max-collisions 3", "Collisions: 3");
+        row("run two-balls --csv", "contact.cos");
+        row("run two-balls --engine auto --json", "\"engine\": \"event\"");
+        row("run two-balls --engine stepped --step 0.01 --approaching-only --json",
+            "\"approaching_only\": true");
+        row("run two-balls --precision quad --json", "\"precision\": \"quad\"");
+        row("run two-balls --precision float --json", "\"precision\": \"float\"");
+        row("run head-on --until +2e0", "Ended at 2 s");
+        row("explain right-angle", "Collision 1: A – B, at 0.6267");
+        row("explain right-angle --language ko", "충돌 1: A – B");
+        row("explain two-balls --collision 4", "Collision 4: B – ");
+        row("explain two-balls --engine stepped --step 0.001", "Collision 1: A – B");
+        row("throw", "Pins down:");
+        row("throw --language ko", "쓰러진 핀:");
+        row("throw --direction -0.5 --position 0.1 --mass 7.26", "Pins down:");
+        row("throw --spin 300", "the spin has no effect");
+        row("throw --position 0.527", "Pins down: ");
+    }
+
+    void goodCalls() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, contains);
+        if (arguments.first() == "--language")
+            return; // told among the wrong calls
+        const Outcome o = call(arguments);
+        QCOMPARE(o.error, QString());
+        QCOMPARE(o.status, 0);
+        QVERIFY2(QString::fromUtf8(o.out).contains(contains), o.out.constData());
+    }
+
+    void wrongCalls_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("contains");
+        const auto row = [](const QString& line, const char* contains) {
+            QStringList arguments = line.split(' ');
+            arguments.replaceInStrings("EMPTY", "");
+            QTest::newRow(qPrintable(line)) << arguments << contains;
+        };
+        row("rnu", "did you mean \"run\"?");
+        row("fly", "there is no such command; thetalane --help");
+        row("--langauge ko", "did you mean --language?");
+        row("--language fr", "--language: must be ko or en, is \"fr\"");
+        row("--language ko scenes", "scenes");
+        row("--scene nowhere", "--scene: nowhere: there is no such scene or file");
+        row("scenes extra", "extra: one argument too many");
+        row("scenes --language", "--language: needs a value");
+        row("scenes --language fr", "must be ko or en");
+        row("scene", "NAME is missing");
+        row("scene two-bals", "did you mean \"two-balls\"? thetalane scenes lists");
+        row("scene /dev/null", "there is no such built-in scene");
+        row("run", "SCENE is missing; the call is: thetalane run SCENE");
+        row("run two-balls head-on", "head-on: one argument too many");
+        row("run rihgt-angle", "did you mean \"right-angle\"?");
+        row("run /nowhere/at/all.json", "/nowhere/at/all.json: there is no such scene or file");
+        row("run EMPTY", "there is no such scene or file");
+        row("run /", "/: cannot be read: ");
+        row("run /dev/zero", "/dev/zero: cannot be read: it is larger than 64 MiB");
+        row("run /dev/null", "/dev/null: line 1, column 1: not valid JSON: the file is empty");
+        row("run -", "standard input: line 1, column 1: not valid JSON");
+        row("run two-balls --bogus", "--bogus: there is no such option; thetalane run --help");
+        row("run two-balls --unti 3", "--unti: there is no such option; did you mean --until?");
+        row("run two-balls --json=3", "--json: takes no value");
+        for (const char* bad : {"1x", "nan", "inf", "EMPTY", "1e400", "0x10", "1,5", "--json"})
+            row(QString("run two-balls --until ") + bad, "--until: must be a number, is ");
+        row("run two-balls --until 0", "--until: must be greater than 0, is 0");
+        row("run two-balls --until -3", "--until: must be greater than 0, is -3");
+        row("run two-balls --until", "--until: needs a value");
+        for (const char* bad : {"0", "-1", "2.5", "many", "99999999999999999999"})
+            row(QString("run two-balls --max-collisions ") + bad,
+                "--max-collisions: must be a whole number greater than 0, is ");
+        row("run two-balls --engine swept", "--engine: must be one of event, stepped, auto, is \"swept\"");
+        row("run two-balls --precision half", "--precision: must be one of float, double, quad");
+        row("run two-balls --step 0.01", "--step: only the stepped engine");
+        row("run two-balls --engine auto --approaching-only", "--approaching-only: only the stepped engine");
+        row("run two-balls --engine stepped --step 0", "--step: must be greater than 0, is 0");
+        row("run two-balls --engine stepped --step 1e-9",
+            "--step: takes 1e+10 steps, more than the 100000000");
+        row("run two-balls --json --csv", "choose either --json or --csv");
+        row("run two-balls --csv --summary", "--summary: ");
+        row("explain", "SCENE is missing");
+        row("explain right-angle --collision 2", "--collision: must be from 1 to 1");
+        row("explain right-angle --collision 0", "--collision: must be a whole number greater than 0");
+        row("explain right-angle --until 0.1", "right-angle: nothing collides");
+        row("throw down", "down: one argument too many");
+        row("throw --mass 0", "--mass: must be greater than 0 and at most 7.26, is 0");
+        row("throw --mass 7.27", "--mass: must be greater than 0 and at most 7.26, is 7.27");
+        row("throw --speed -1", "--speed: must be greater than 0 and at most 100, is -1");
+        row("throw --speed 101", "--speed: must be greater than 0 and at most 100, is 101");
+        row("throw --direction 90", "--direction: must be greater than -90 and less than 90, is 90");
+        row("throw --position 0.6", "--position: must be from -0.52705 to 0.52705, is 0.6");
+        row("throw --spin inf", "--spin: must be a number");
+        row("throw --axis 1x", "--axis: must be a number");
+    }
+
+    void wrongCalls() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, contains);
+        const Outcome o = call(arguments);
+        QCOMPARE(o.status, 2);
+        QVERIFY2(isOneLine(o.error), qPrintable(o.error));
+        QVERIFY2(o.error.contains(contains), qPrintable(o.error));
+        QVERIFY(o.out.isEmpty());
+
+        if (contains.contains("ko or en"))
+            return; // which language, when it is the language that is wrong?
+        const Outcome korean = call(arguments + QStringList{"--language=ko"});
+        const bool swallowed = korean.error.contains("--language=ko"); // as the value of the last option
+        QVERIFY2(korean.status == 2 && isOneLine(korean.error), qPrintable(korean.error));
+        QVERIFY2(hasHangul(korean.error) || swallowed, qPrintable(korean.error));
+    }
+
+    void theSystemsLanguageIsTheDefault() {
+        const Outcome o = call({"run", "head-on"}, {}, {"LANG=ko_KR.UTF-8"});
+        QCOMPARE(o.error, QString());
+        QVERIFY(QString::fromUtf8(o.out).contains("정면충돌"));
+        QVERIFY(QString::fromUtf8(call({"run", "head-on", "--language", "en"}, {}, {"LANG=ko_KR.UTF-8"}).out)
+                    .contains("Head-on"));
+    }
+
+    void aSceneComesFromAFileOrStandardInput() {
+        const QByteArray text = call({"scene", "glancing"}).out;
+        QTemporaryDir dir;
+        const QString path = dir.filePath("장면 1.json");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        const Outcome builtin = call({"run", "glancing", "--json"});
+        QCOMPARE(builtin.status, 0);
+        QCOMPARE(call({"run", path, "--json"}).out, builtin.out);
+        QCOMPARE(call({"run", "-", "--json"}, text).out, builtin.out);
+    }
+
+    void faultsOfAFileNameThePlace() {
+        QByteArray text = writeScene(*builtinScene("two-balls"));
+        text.replace("\"mass\": 1,", "\"mass\": -3,");
+        QTemporaryDir dir;
+        QFile file(dir.filePath("scene.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        const Outcome o = call({"run", file.fileName()});
+        QCOMPARE(o.status, 2);
+        QCOMPARE(o.error, file.fileName() + ": bodies[1].mass: must be greater than 0, is -3\n");
+        const Outcome korean = call({"run", file.fileName(), "--language", "ko"});
+        QVERIFY2(korean.error.contains(": bodies[1].mass: 0보다 커야 합니다"), qPrintable(korean.error));
+    }
+
+    void severalFaultsAreOneLine() {
+        const Outcome o = call({"run", "-"}, R"({"format": "thetalane-scene", "version": 1, "bodies":
+            [{"id": "a\nb", "id": "c"}], "restitution": 2, "color": 3})");
+        QCOMPARE(o.status, 2);
+        QVERIFY2(isOneLine(o.error), qPrintable(o.error));
+        QVERIFY2(o.error.contains("more)"), qPrintable(o.error));
+    }
+
+    void namesCannotBreakALine() {
+        Scene scene = *builtinScene("two-balls");
+        scene.bodies[0].id = "two\nlines\x1b[31m";
+        scene.bodies[1].position = scene.bodies[0].position;
+        const Outcome o = call({"run", "-"}, writeScene(scene));
+        QCOMPARE(o.status, 2);
+        QVERIFY2(isOneLine(o.error), qPrintable(o.error));
+        QVERIFY(!o.error.contains(QChar(0x1b)));
+    }
+
+    void aFullDiskIsAFailure() {
+        if (!QFile::exists("/dev/full"))
+            return;
+        for (const QStringList& arguments : {QStringList{"run", "two-balls"},
+                                             {"run", "two-balls", "--json"},
+                                             {"run", "two-balls", "--csv"},
+                                             {"explain", "head-on"},
+                                             {"throw"},
+                                             {"scenes"},
+                                             {"scene", "rack"},
+                                             {"--help"},
+                                             {"--version"}}) {
+            QProcess process;
+            process.setEnvironment({"PATH=/usr/bin:/bin"});
+            process.setStandardOutputFile("/dev/full");
+            process.start(THETALANE_PROGRAM, arguments);
+            QVERIFY(process.waitForFinished());
+            QCOMPARE(process.exitCode(), 1);
+            const QString error = QString::fromUtf8(process.readAllStandardError());
+            QVERIFY2(isOneLine(error) && error.contains("cannot be written"), qPrintable(error));
+        }
+    }
+
+    void columnsLineUpWithKoreanNames() {
+        Scene scene = *builtinScene("two-balls");
+        scene.bodies[0].id = "빨간 공";
+        const QString out =
+            QString::fromUtf8(call({"run", "-", "--language", "ko", "--until", "3"}, writeScene(scene)).out);
+        // The column after the names is right-aligned: what precedes it is equally wide in every row.
+        const QStringList lines = out.split('\n');
+        QList<int> ends;
+        for (const QString& line : lines)
+            if (line.contains(" – "))
+                ends << cells(line);
+        QVERIFY(ends.size() >= 3);
+        for (const int end : ends)
+            QCOMPARE(end, ends.first());
+    }
+
+private:
+    static int cells(const QString& line) {
+        int n = 0;
+        for (const QChar c : line)
+            n += c.unicode() >= 0x1100 && c.unicode() <= 0xD7A3 &&
+                         !(c.unicode() >= 0x2000 && c.unicode() < 0x2E80)
+                     ? 2
+                     : 1;
+        return n;
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCommands)
+#include "test_commands.moc"

@@ -1,0 +1,1398 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ko" sourcelanguage="en">
+<context>
+    <name>Commands</name>
+    <message>
+        <source>lists the built-in scenes: name, title</source>
+        <translation>내장 장면의 이름과 제목을 나열합니다</translation>
+    </message>
+    <message>
+        <source>prints a built-in scene as a scene file, to edit</source>
+        <translation>내장 장면을 고쳐 쓸 수 있는 장면 파일로 출력합니다</translation>
+    </message>
+    <message>
+        <source>simulates a scene: a table of collisions and totals, JSON or CSV</source>
+        <translation>장면을 시뮬레이션하여 충돌 표와 합계, 또는 JSON이나 CSV를 출력합니다</translation>
+    </message>
+    <message>
+        <source>works through one collision, step by step, with its numbers substituted</source>
+        <translation>충돌 하나를 수를 대입하며 단계별로 풀이합니다</translation>
+    </message>
+    <message>
+        <source>throws one ball down the regulation lane at a full rack</source>
+        <translation>규격 레인에서 핀 열 개를 향해 공을 한 번 던집니다</translation>
+    </message>
+    <message>
+        <source>draws the window, as it would look, into a PNG file</source>
+        <translation>창의 모습을 PNG 파일로 그립니다</translation>
+    </message>
+</context>
+<context>
+    <name>Console</name>
+    <message>
+        <source>standard output: cannot be written: %1</source>
+        <translation>표준 출력: 쓸 수 없습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>EngineOptionsText</name>
+    <message>
+        <source>only the stepped engine takes this; add --engine stepped</source>
+        <translation>stepped 엔진에서만 쓸 수 있습니다. --engine stepped를 덧붙이십시오</translation>
+    </message>
+    <message>
+        <source>the time to run [s]; 10 unless said</source>
+        <translation>시뮬레이션할 시간 [s]. 기본값 10</translation>
+    </message>
+    <message>
+        <source>ends the run after N collisions; 1000000 unless said</source>
+        <translation>충돌이 N번 일어나면 끝냅니다. 기본값 1000000</translation>
+    </message>
+    <message>
+        <source>event: from contact to contact; stepped: the paper&apos;s loop; auto: event</source>
+        <translation>event: 접촉에서 접촉으로 진행, stepped: 논문의 반복 계산, auto: event와 같음</translation>
+    </message>
+    <message>
+        <source>the step of the stepped engine [s]; 1/60 unless said</source>
+        <translation>stepped 엔진의 시간 간격 [s]. 기본값 1/60</translation>
+    </message>
+    <message>
+        <source>stepped: exchanges only when the two approach</source>
+        <translation>stepped: 두 물체가 서로 다가갈 때만 충돌로 처리합니다</translation>
+    </message>
+    <message>
+        <source>the engine&apos;s numbers; double unless said</source>
+        <translation>계산에 쓸 수의 정밀도. 기본값 double</translation>
+    </message>
+</context>
+<context>
+    <name>ExplainCommandText</name>
+    <message>
+        <source>Collision %1: %2, at %3 s</source>
+        <translation>충돌 %1: %2, 시각 %3 s</translation>
+    </message>
+    <message>
+        <source>%1: nothing collides in this scene in the time asked for</source>
+        <translation>%1: 이 장면에서는 지정한 시간 안에 충돌이 일어나지 않습니다</translation>
+    </message>
+    <message>
+        <source>must be from 1 to %1, the number of collisions, is %2</source>
+        <translation>1부터 충돌 횟수 %1까지여야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>which collision, from 1; the first unless said</source>
+        <translation>몇 번째 충돌인지 (1부터). 기본값은 첫 번째</translation>
+    </message>
+</context>
+<context>
+    <name>MainText</name>
+    <message>
+        <source>%1: there is no such command;</source>
+        <translation>%1: 그런 명령은 없습니다.</translation>
+    </message>
+    <message>
+        <source>thetalane --help lists them</source>
+        <translation>thetalane --help로 명령 목록을 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Commands, each with a --help of its own:</source>
+        <translation>명령 (명령마다 --help가 있습니다):</translation>
+    </message>
+    <message>
+        <source>Opens the window, or does what the command says without one.</source>
+        <translation>창을 엽니다. 명령을 주면 창 없이 그 명령을 수행합니다.</translation>
+    </message>
+    <message>
+        <source>what to open: a built-in name or a scene file</source>
+        <translation>열 장면: 내장 장면의 이름 또는 장면 파일</translation>
+    </message>
+    <message>
+        <source>larger, for the back row of a class</source>
+        <translation>교실 뒷자리에서도 보이도록 크게 표시합니다</translation>
+    </message>
+    <message>
+        <source>prints the version</source>
+        <translation>버전을 출력합니다</translation>
+    </message>
+    <message>
+        <source>must be ko or en, is &quot;%1&quot;</source>
+        <translation>ko 또는 en이어야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+</context>
+<context>
+    <name>NoWindow</name>
+    <message>
+        <source>this program was built without the window; thetalane --help lists the commands</source>
+        <translation>이 프로그램은 창 없이 빌드되었습니다. thetalane --help로 명령 목록을 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>picture: this program was built without the window, and cannot draw it</source>
+        <translation>picture: 이 프로그램은 창 없이 빌드되어 창을 그릴 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>OptionsText</name>
+    <message>
+        <source>must be greater than %1, is %2</source>
+        <translation>%1보다 커야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, is %3</source>
+        <translation>%1부터 %2까지여야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and at most %2, is %3</source>
+        <translation>%1보다 크고 %2 이하여야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and less than %2, is %3</source>
+        <translation>%1보다 크고 %2보다 작아야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>did you mean &quot;%1&quot;?</source>
+        <translation>혹시 &quot;%1&quot;입니까?</translation>
+    </message>
+    <message>
+        <source>%1 is missing; the call is: thetalane %2</source>
+        <translation>%1: 빠져 있습니다. 사용법: thetalane %2</translation>
+    </message>
+    <message>
+        <source>%1: one argument too many; the call is: thetalane %2</source>
+        <translation>%1: 필요 없는 인수입니다. 사용법: thetalane %2</translation>
+    </message>
+    <message>
+        <source>%1: takes no value</source>
+        <translation>%1: 값을 받지 않는 옵션입니다</translation>
+    </message>
+    <message>
+        <source>%1: needs a value</source>
+        <translation>%1: 값이 필요합니다</translation>
+    </message>
+    <message>
+        <source>%1: there is no such option; did you mean --%2?</source>
+        <translation>%1: 그런 옵션은 없습니다. 혹시 --%2입니까?</translation>
+    </message>
+    <message>
+        <source>%1: there is no such option; thetalane %2--help lists them</source>
+        <translation>%1: 그런 옵션은 없습니다. thetalane %2--help로 옵션 목록을 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>must be a number, is &quot;%1&quot;</source>
+        <translation>수여야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+    <message>
+        <source>must be a whole number greater than 0, is &quot;%1&quot;</source>
+        <translation>0보다 큰 정수여야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+    <message>
+        <source>must be one of %1, is &quot;%2&quot;</source>
+        <translation>%1 가운데 하나여야 하는데 &quot;%2&quot;입니다</translation>
+    </message>
+    <message>
+        <source>Usage: thetalane %1</source>
+        <translation>사용법: thetalane %1</translation>
+    </message>
+    <message>
+        <source>the language of what is printed; the system&apos;s unless said</source>
+        <translation>출력 언어. 기본값은 시스템의 언어</translation>
+    </message>
+    <message>
+        <source>prints this</source>
+        <translation>이 도움말을 출력합니다</translation>
+    </message>
+</context>
+<context>
+    <name>PictureCommand</name>
+    <message>
+        <source>must be WIDTHxHEIGHT, each from %1 to %2, is &quot;%3&quot;</source>
+        <translation>가로x세로로 쓰고 각각 %1부터 %2까지여야 하는데 &quot;%3&quot;입니다</translation>
+    </message>
+    <message>
+        <source>is the stage of a collision; say which with --collision</source>
+        <translation>충돌의 단계입니다. 어느 충돌인지 --collision으로 알려 주십시오</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to %1, is %2</source>
+        <translation>0부터 %1까지의 정수여야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>is missing; say where the picture goes, FILE.png</source>
+        <translation>빠졌습니다. 그림을 저장할 곳을 FILE.png로 알려 주십시오</translation>
+    </message>
+    <message>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+    <message>
+        <source>nothing collides in this scene</source>
+        <translation>이 장면에서는 아무것도 충돌하지 않습니다</translation>
+    </message>
+    <message>
+        <source>must be from 1 to %1, the number of collisions, is %2</source>
+        <translation>1부터 충돌 횟수 %1까지여야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>where the picture goes</source>
+        <translation>그림을 저장할 파일</translation>
+    </message>
+    <message>
+        <source>the moment to show, in seconds; 0 unless said</source>
+        <translation>보여 줄 순간(초). 말하지 않으면 0</translation>
+    </message>
+    <message>
+        <source>the collision to open, from 1</source>
+        <translation>펼쳐 볼 충돌의 번호. 1부터 셉니다</translation>
+    </message>
+    <message>
+        <source>its stage: 0 contact, 1 split, 2 rotation, 3 exchange, 4 back, 5 check</source>
+        <translation>충돌의 단계: 0 접촉, 1 분해, 2 회전, 3 교환, 4 역회전, 5 확인</translation>
+    </message>
+    <message>
+        <source>of the picture, in pixels; 1280x800 unless said</source>
+        <translation>그림의 크기(픽셀). 말하지 않으면 1280x800</translation>
+    </message>
+    <message>
+        <source>larger, for the back row of a class</source>
+        <translation>교실 뒷자리에서도 보이도록 크게 표시합니다</translation>
+    </message>
+    <message>
+        <source>a collision has its own moment; say --at or --collision, not both</source>
+        <translation>충돌은 제 시각이 있습니다. --at과 --collision 가운데 하나만 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>RunCommandText</name>
+    <message>
+        <source>prints JSON for programs</source>
+        <translation>프로그램에서 읽을 JSON을 출력합니다</translation>
+    </message>
+    <message>
+        <source>prints a row for each collision</source>
+        <translation>충돌마다 한 줄씩 CSV를 출력합니다</translation>
+    </message>
+    <message>
+        <source>leaves the list of collisions out, and out of memory</source>
+        <translation>충돌 목록을 출력하지도, 메모리에 두지도 않습니다</translation>
+    </message>
+    <message>
+        <source>--csv: choose either --json or --csv</source>
+        <translation>--csv: --json과 --csv 가운데 하나만 고르십시오</translation>
+    </message>
+    <message>
+        <source>--summary: leaves out the collisions that --csv lists; choose one of the two</source>
+        <translation>--summary: --csv가 나열하는 충돌 목록을 생략하는 옵션입니다. 둘 중 하나만 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>RunReportText</name>
+    <message>
+        <source>event engine</source>
+        <translation>event 엔진</translation>
+    </message>
+    <message>
+        <source>stepped engine, step %1 s</source>
+        <translation>stepped 엔진, 시간 간격 %1 s</translation>
+    </message>
+    <message>
+        <source>approaching only</source>
+        <translation>다가갈 때만 충돌</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>번호</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>시각 [s]</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Impulse [N·s]</source>
+        <translation>충격량 [N·s]</translation>
+    </message>
+    <message>
+        <source>Energy loss [J]</source>
+        <translation>에너지 손실 [J]</translation>
+    </message>
+    <message>
+        <source>Momentum, x [kg·m/s]</source>
+        <translation>운동량 x 성분 [kg·m/s]</translation>
+    </message>
+    <message>
+        <source>Momentum, y [kg·m/s]</source>
+        <translation>운동량 y 성분 [kg·m/s]</translation>
+    </message>
+    <message>
+        <source>Kinetic energy [J]</source>
+        <translation>운동 에너지 [J]</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>합계</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>처음</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>마지막</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>변화량</translation>
+    </message>
+    <message>
+        <source>Collisions: %1</source>
+        <translation>충돌 횟수: %1</translation>
+    </message>
+    <message>
+        <source>Ended at %1 s: %2</source>
+        <translation>%1 s에 끝남: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SceneCommand</name>
+    <message>
+        <source>a built-in name; thetalane scenes lists them</source>
+        <translation>내장 장면의 이름. thetalane scenes로 목록을 볼 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>SceneSourceText</name>
+    <message>
+        <source>thetalane scenes lists the built-in ones</source>
+        <translation>thetalane scenes로 내장 장면의 목록을 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MiB</source>
+        <translation>파일이 %1 MiB보다 큽니다</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>표준 입력</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (and %n more)</source>
+        <translation>
+            <numerusform>%1 (그 밖에 %n건)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: there is no such built-in scene;</source>
+        <translation>%1: 그런 내장 장면은 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such scene or file;</source>
+        <translation>%1: 그런 장면이나 파일은 없습니다.</translation>
+    </message>
+    <message>
+        <source>a built-in name, a scene file, or - for standard input</source>
+        <translation>내장 장면의 이름, 장면 파일, 또는 표준 입력을 뜻하는 -</translation>
+    </message>
+</context>
+<context>
+    <name>SceneText</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>파일이 비어 있습니다</translation>
+    </message>
+    <message>
+        <source>unterminated object</source>
+        <translation>객체가 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>missing name separator</source>
+        <translation>키 뒤에 콜론(:)이 없습니다</translation>
+    </message>
+    <message>
+        <source>unterminated array</source>
+        <translation>배열이 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>missing value separator</source>
+        <translation>값 사이에 쉼표(,)가 없습니다</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>값으로 쓸 수 없는 내용입니다</translation>
+    </message>
+    <message>
+        <source>invalid termination by number</source>
+        <translation>수로 끝날 수 없습니다</translation>
+    </message>
+    <message>
+        <source>illegal number</source>
+        <translation>수의 형식이나 범위가 잘못되었습니다</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence</source>
+        <translation>이스케이프 표기가 잘못되었습니다</translation>
+    </message>
+    <message>
+        <source>invalid UTF8 string</source>
+        <translation>UTF-8 문자열이 아닙니다</translation>
+    </message>
+    <message>
+        <source>unterminated string</source>
+        <translation>문자열이 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>object is missing after a comma</source>
+        <translation>쉼표 뒤에 내용이 없습니다</translation>
+    </message>
+    <message>
+        <source>too deeply nested document</source>
+        <translation>중첩이 너무 깊습니다</translation>
+    </message>
+    <message>
+        <source>too large document</source>
+        <translation>문서가 너무 큽니다</translation>
+    </message>
+    <message>
+        <source>garbage at the end of the document</source>
+        <translation>문서 끝에 불필요한 내용이 있습니다</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>수여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>따옴표로 묶은 문자열이어야 합니다</translation>
+    </message>
+    <message>
+        <source>must be an object: {…}</source>
+        <translation>객체 {…}여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be a list: […]</source>
+        <translation>배열 […]이어야 합니다</translation>
+    </message>
+    <message>
+        <source>must be two numbers: [x, y]</source>
+        <translation>두 수 [x, y]여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be &quot;ball&quot; or &quot;pin&quot;</source>
+        <translation>&quot;ball&quot; 또는 &quot;pin&quot;이어야 합니다</translation>
+    </message>
+    <message>
+        <source>is there twice; an object may have a key only once</source>
+        <translation>키가 두 번 나옵니다. 한 객체 안에서 키는 한 번만 쓸 수 있습니다</translation>
+    </message>
+    <message>
+        <source>not valid JSON: %1</source>
+        <translation>올바른 JSON이 아닙니다: %1</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>유한한 수여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be greater than 0, is %1</source>
+        <translation>0보다 커야 합니다. 지금 값은 %1입니다</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, is %3</source>
+        <translation>%1부터 %2까지여야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>비워 둘 수 없습니다</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is taken by an earlier body; every id must be unique</source>
+        <translation>&quot;%1&quot; id는 앞의 물체가 이미 쓰고 있습니다. id는 서로 달라야 합니다</translation>
+    </message>
+    <message>
+        <source>must hold at least one body</source>
+        <translation>물체가 하나 이상 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 bodies, holds %2</source>
+        <translation>물체는 %1개까지 둘 수 있는데 %2개가 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 overlaps %2 by %3 m; move them at least that far apart</source>
+        <translation>두 물체 %1, %2의 겹친 깊이가 %3 m입니다. 적어도 그만큼 떼어 놓으십시오</translation>
+    </message>
+    <message>
+        <source>%1 is %3 m beyond the %2; move it inside by at least that much</source>
+        <translation>물체 %1의 위치가 %2에서 %3 m 벗어났습니다. 적어도 그만큼 안쪽으로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>%1 is not on the lane; its centre must be between the edges of the lane and before its end</source>
+        <translation>물체 %1의 중심이 레인 위에 있지 않습니다. 레인의 양쪽 가장자리 사이, 레인 끝보다 앞에 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>must be greater than %1, which is the opposite side, is %2</source>
+        <translation>맞은편의 값 %1보다 커야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>읽을 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>빠져 있습니다</translation>
+    </message>
+    <message>
+        <source>is not a known key; remove it</source>
+        <translation>알 수 없는 키입니다. 지우십시오</translation>
+    </message>
+    <message>
+        <source>is not a known key; did you mean &quot;%1&quot;?</source>
+        <translation>알 수 없는 키입니다. 혹시 &quot;%1&quot;입니까?</translation>
+    </message>
+    <message>
+        <source>must be &quot;thetalane-scene&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;thetalane-scene&quot;이어야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+    <message>
+        <source>must be 1, is %1</source>
+        <translation>1이어야 하는데 %1입니다</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>%1행 %2열</translation>
+    </message>
+    <message>
+        <source>takes %1 steps, more than the %2 allowed; make the step longer or the time shorter</source>
+        <translation>허용된 %2단계보다 많은 %1단계가 필요합니다. 시간 간격을 늘리거나 시간을 줄이십시오</translation>
+    </message>
+    <message>
+        <source>the time asked for was reached</source>
+        <translation>지정한 시간에 이름</translation>
+    </message>
+    <message>
+        <source>everything is at rest</source>
+        <translation>모든 물체가 멈춤</translation>
+    </message>
+    <message>
+        <source>no more collisions can happen</source>
+        <translation>더는 충돌이 일어나지 않음</translation>
+    </message>
+    <message>
+        <source>the most collisions allowed were reached</source>
+        <translation>최대 충돌 횟수에 이름</translation>
+    </message>
+    <message>
+        <source>left wall</source>
+        <translation>왼쪽 벽</translation>
+    </message>
+    <message>
+        <source>right wall</source>
+        <translation>오른쪽 벽</translation>
+    </message>
+    <message>
+        <source>bottom wall</source>
+        <translation>아래쪽 벽</translation>
+    </message>
+    <message>
+        <source>top wall</source>
+        <translation>위쪽 벽</translation>
+    </message>
+    <message>
+        <source>a comma or a closing bracket is missing</source>
+        <translation>쉼표나 닫는 괄호가 빠졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ThrowCommandText</name>
+    <message>
+        <source>of the ball, at most 7.26 kg; 6.8 unless said</source>
+        <translation>볼링공의 질량, 최대 7.26 kg. 기본값 6.8</translation>
+    </message>
+    <message>
+        <source>at the foul line; 8 unless said</source>
+        <translation>파울 라인에서의 속력. 기본값 8</translation>
+    </message>
+    <message>
+        <source>from straight down the lane, positive to the right; 1.5 unless said</source>
+        <translation>레인 방향에서 잰 각도, 오른쪽이 양수. 기본값 1.5</translation>
+    </message>
+    <message>
+        <source>of the ball&apos;s centre at the foul line, from the middle, positive to the right; -0.41 unless said</source>
+        <translation>파울 라인에서 공의 중심 위치, 가운데에서 오른쪽이 양수. 기본값 -0.41</translation>
+    </message>
+    <message>
+        <source>revolutions per minute; 0 unless said</source>
+        <translation>분당 회전수. 기본값 0</translation>
+    </message>
+    <message>
+        <source>of the spin, from a forward roll, positive hooks to the left; 0 unless said</source>
+        <translation>앞으로 구르는 방향에서 잰 회전축의 각도, 양수이면 왼쪽으로 훅. 기본값 0</translation>
+    </message>
+    <message>
+        <source>prints JSON for programs</source>
+        <translation>프로그램에서 읽을 JSON을 출력합니다</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2개)</translation>
+    </message>
+    <message>
+        <source>Pins down: %1</source>
+        <translation>쓰러진 핀: %1</translation>
+    </message>
+    <message>
+        <source>Pins touched: %1</source>
+        <translation>맞은 핀: %1</translation>
+    </message>
+    <message>
+        <source>Strike</source>
+        <translation>스트라이크</translation>
+    </message>
+    <message>
+        <source>The lane has no friction yet, so the spin has no effect.</source>
+        <translation>아직 레인에 마찰이 없으므로 회전은 결과에 영향을 주지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>Window</name>
+    <message>
+        <source>no display answers; thetalane --help lists the commands that need none</source>
+        <translation>응답하는 화면이 없습니다. 화면 없이 쓰는 명령은 thetalane --help에서 볼 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>WorkedSteps</name>
+    <message>
+        <source>The centres coincide, so there is no line of centres; θ = 0 is taken by rule.</source>
+        <translation>두 중심이 겹쳐 중심선을 정할 수 없으므로, 약속에 따라 θ = 0으로 합니다.</translation>
+    </message>
+    <message>
+        <source>The bodies touch when the distance Z between their centres is no longer greater than the sum of the radii; the triangle a, b, Z gives the direction θ of the line of centres.</source>
+        <translation>두 물체는 중심 사이의 거리 Z가 반지름의 합보다 크지 않을 때 맞닿습니다. 삼각형 a, b, Z에서 중심선의 방향 θ를 구합니다.</translation>
+    </message>
+    <message>
+        <source>Each velocity is an arrow; it is split into a component along x and one along y.</source>
+        <translation>속도는 화살표로 나타낼 수 있으며, 이를 x 성분과 y 성분으로 분해합니다.</translation>
+    </message>
+    <message>
+        <source>The axes are turned by θ, so that x′ lies on the line of centres and y′ across it; the velocities stay as they are, only their components are new.</source>
+        <translation>좌표축을 θ만큼 회전하여 x′축은 중심선에, y′축은 그에 수직인 방향에 놓습니다. 속도는 그대로이고 성분만 달라집니다.</translation>
+    </message>
+    <message>
+        <source>Against an infinite mass the velocity along x′ turns round and keeps the fraction e; along the frictionless wall, y′, no force acts, so nothing changes there.</source>
+        <translation>상대의 질량이 무한대이므로 x′ 방향의 속도는 방향이 뒤집히고 크기는 e배가 됩니다. 마찰이 없는 벽을 따라서는(y′ 방향) 힘이 작용하지 않으므로 변하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>With e = 0 both leave at the same velocity along x′; without friction the force acts along the line of centres only, so y′ does not change.</source>
+        <translation>e = 0이므로 두 물체는 x′ 방향으로 같은 속도가 됩니다. 마찰이 없으면 힘은 중심선을 따라서만 작용하므로 y′ 성분은 변하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Without friction the force acts along the line of centres only: along x′ it is a collision in one dimension, and across it, y′, nothing changes.</source>
+        <translation>마찰이 없으면 힘은 중심선을 따라서만 작용합니다. 그래서 x′ 방향은 1차원 충돌이 되고, 그에 수직인 y′ 방향의 속도는 변하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The axes are turned back by θ, and the new components are read along x and y again.</source>
+        <translation>좌표축을 θ만큼 되돌려, 새 속도의 성분을 다시 x와 y 방향으로 환산합니다.</translation>
+    </message>
+    <message>
+        <source>The total momentum is the same before and after, and at e = 1 so is the kinetic energy.</source>
+        <translation>충돌 전후의 운동량의 합은 같고, e = 1이므로 운동 에너지의 합도 같습니다.</translation>
+    </message>
+    <message>
+        <source>The total momentum is the same before and after; kinetic energy is lost along x′ only.</source>
+        <translation>충돌 전후의 운동량의 합은 같고, 운동 에너지는 x′ 방향에서만 줄어듭니다.</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>접촉</translation>
+    </message>
+    <message>
+        <source>Velocity split</source>
+        <translation>속도의 분해</translation>
+    </message>
+    <message>
+        <source>Rotation by θ</source>
+        <translation>좌표축의 회전 (θ)</translation>
+    </message>
+    <message>
+        <source>Exchange along x′</source>
+        <translation>x′축의 1차원 충돌</translation>
+    </message>
+    <message>
+        <source>Rotation back</source>
+        <translation>역회전</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>확인</translation>
+    </message>
+    <message>
+        <source>These two were already moving apart; the paper&apos;s loop exchanges every overlapping pair all the same, and so drives them back together.</source>
+        <translation>두 물체는 이미 멀어지고 있었습니다. 그런데도 논문의 반복 계산은 겹친 쌍을 모두 충돌로 처리하므로 두 물체를 다시 가까워지게 합니다.</translation>
+    </message>
+    <message>
+        <source>The wall takes up the impulse, so the body&apos;s own momentum changes; what must hold is the ratio e of the speeds along x′.</source>
+        <translation>벽이 충격량을 받으므로 물체의 운동량은 변합니다. 확인할 것은 x′ 방향 속력의 비 e입니다.</translation>
+    </message>
+    <message>
+        <source>The wall W counts as a second body of infinite mass at rest; the line of centres stands square on it.</source>
+        <translation>벽 W는 정지해 있는 질량이 무한대인 둘째 물체로 봅니다. 중심선은 벽에 수직입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::BodiesPanel</name>
+    <message>
+        <source>Coefficient of restitution e</source>
+        <translation>반발 계수 e</translation>
+    </message>
+    <message>
+        <source>0: perfectly inelastic, 1: elastic. Between all bodies.</source>
+        <translation>0은 완전 비탄성 충돌, 1은 탄성 충돌입니다. 모든 물체 사이에 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Shown are the first %1 of %2 bodies.</source>
+        <translation>물체 %2개 중 처음 %1개만 보입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::BodyGroup</name>
+    <message>
+        <source>Mass</source>
+        <translation>질량</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>반지름</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>Position x</source>
+        <translation>위치 x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>위치 y</translation>
+    </message>
+    <message>
+        <source>Mass of this body, greater than 0</source>
+        <translation>이 물체의 질량. 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>Radius of this body, greater than 0</source>
+        <translation>이 물체의 반지름. 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>Speed of this body, 0 or more</source>
+        <translation>이 물체의 속력. 0 이상이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>Direction of motion, counter-clockwise from x</source>
+        <translation>운동 방향. x축에서 시계 반대 방향으로 잽니다.</translation>
+    </message>
+    <message>
+        <source>Where the centre is, to the right</source>
+        <translation>중심의 위치. 오른쪽이 양의 방향입니다.</translation>
+    </message>
+    <message>
+        <source>Where the centre is, upwards</source>
+        <translation>중심의 위치. 위쪽이 양의 방향입니다.</translation>
+    </message>
+    <message>
+        <source>must be 0 or more, is %1</source>
+        <translation>0 이상이어야 합니다. 지금 값: %1</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>위치</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::CollisionList</name>
+    <message>
+        <source>Collisions</source>
+        <translation>충돌 목록</translation>
+    </message>
+    <message>
+        <source>Click a row to open that collision; Ctrl+C copies the rows with every digit</source>
+        <translation>행을 누르면 그 충돌이 열립니다. Ctrl+C를 누르면 고른 행을 모든 자릿수로 복사합니다.</translation>
+    </message>
+    <message>
+        <source>Nothing collides in this scene.</source>
+        <translation>이 장면에서는 충돌이 일어나지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::CollisionModel</name>
+    <message>
+        <source>At the same instant as the rows it is joined with</source>
+        <translation>이어진 행과 같은 순간에 일어난 충돌</translation>
+    </message>
+    <message>
+        <source>Number of the collision. A bracket joins those of the same instant.</source>
+        <translation>충돌의 번호. 같은 순간에 일어난 충돌은 괄호로 묶었습니다.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>시각</translation>
+    </message>
+    <message>
+        <source>Time of the collision, in seconds</source>
+        <translation>충돌 시각(초)</translation>
+    </message>
+    <message>
+        <source>First body → second body, or the wall</source>
+        <translation>첫째 물체 → 둘째 물체 또는 벽</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>충격량</translation>
+    </message>
+    <message>
+        <source>Impulse on the first body along x′, in newton seconds</source>
+        <translation>첫째 물체가 x′ 방향으로 받은 충격량(뉴턴초)</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>손실</translation>
+    </message>
+    <message>
+        <source>Kinetic energy lost, in joules</source>
+        <translation>운동 에너지 손실(줄)</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>첫째</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>둘째</translation>
+    </message>
+    <message>
+        <source>Energy lost</source>
+        <translation>에너지 손실</translation>
+    </message>
+    <message>
+        <source>Same instant</source>
+        <translation>같은 순간</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>부딪친 물체</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::EngineChooser</name>
+    <message>
+        <source>Way of computing</source>
+        <translation>계산 방식</translation>
+    </message>
+    <message>
+        <source>How contacts are found: exactly, from one to the next, or by the paper&apos;s loop, which moves everything by a fixed step and then tests for overlap</source>
+        <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 계산하거나, 논문의 반복문처럼 일정한 시간 간격으로 옮긴 뒤 겹침을 검사합니다.</translation>
+    </message>
+    <message>
+        <source>Exact (next event)</source>
+        <translation>정확한 계산 (다음 충돌)</translation>
+    </message>
+    <message>
+        <source>Paper&apos;s loop, %1, approaching only</source>
+        <translation>논문의 반복문, %1, 접근할 때만</translation>
+    </message>
+    <message>
+        <source>Paper&apos;s loop, %1</source>
+        <translation>논문의 반복문, %1</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::FormulaView</name>
+    <message>
+        <source>Formulas of this step</source>
+        <translation>이 단계의 식</translation>
+    </message>
+    <message>
+        <source>Copy this line</source>
+        <translation>이 줄 복사</translation>
+    </message>
+    <message>
+        <source>Copy all lines</source>
+        <translation>모든 줄 복사</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LaneScene</name>
+    <message>
+        <source>Mass %1 kg</source>
+        <translation>질량 %1 kg</translation>
+    </message>
+    <message>
+        <source>Speed %1 m/s</source>
+        <translation>속력 %1 m/s</translation>
+    </message>
+    <message>
+        <source>Direction %1° from the x axis</source>
+        <translation>방향 x축에서 %1°</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>정지 상태</translation>
+    </message>
+    <message>
+        <source>Click: open its next collision</source>
+        <translation>누르면 이 물체의 다음 충돌을 엽니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LaneStrip</name>
+    <message>
+        <source>The whole lane</source>
+        <translation>레인 전체</translation>
+    </message>
+    <message>
+        <source>The whole lane; click where the close-up is to look</source>
+        <translation>레인 전체입니다. 누른 곳을 옆 화면에서 크게 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LaneView</name>
+    <message>
+        <source>Lane</source>
+        <translation>레인</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom, click a body to open its next collision</source>
+        <translation>끌어서 옮기고, 휠로 확대·축소하고, 물체를 누르면 다음 충돌을 엽니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MainWindow</name>
+    <message>
+        <source>Open a scene file</source>
+        <translation>장면 파일 열기</translation>
+    </message>
+    <message>
+        <source>Scene files (*.json)</source>
+        <translation>장면 파일 (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>풀이</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>충돌 목록</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>투구</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Reset the scene (R)</source>
+        <translation>장면을 처음으로 되돌리기 (R)</translation>
+    </message>
+    <message>
+        <source>Reset the scene</source>
+        <translation>장면을 처음으로 되돌리기</translation>
+    </message>
+    <message>
+        <source>Projector</source>
+        <translation>프로젝터</translation>
+    </message>
+    <message>
+        <source>Large type and lines for a projector (F11)</source>
+        <translation>프로젝터용 큰 글자와 굵은 선 (F11)</translation>
+    </message>
+    <message>
+        <source>Language of everything (L)</source>
+        <translation>화면 전체의 언어 (L)</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>알림 닫기</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::NumberField</name>
+    <message>
+        <source>must be a number, is empty</source>
+        <translation>수를 입력해야 합니다. 지금은 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>must be a number, is “%1”</source>
+        <translation>수를 입력해야 합니다. 지금 값: “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::PinBadge</name>
+    <message>
+        <source>Pins touched</source>
+        <translation>맞은 핀</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>쓰러진 핀</translation>
+    </message>
+    <message>
+        <source>Pins touched: %1, down: %2</source>
+        <translation>맞은 핀 %1개, 쓰러진 핀 %2개</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::RateChooser</name>
+    <message>
+        <source>Slower</source>
+        <translation>느리게</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>빠르게</translation>
+    </message>
+    <message>
+        <source>How fast time goes</source>
+        <translation>재생 속도</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::SceneChooser</name>
+    <message>
+        <source>Scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>Two bodies</source>
+        <translation>두 물체</translation>
+    </message>
+    <message>
+        <source>Many bodies</source>
+        <translation>여러 물체</translation>
+    </message>
+    <message>
+        <source>The lane</source>
+        <translation>레인</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>파일 열기…</translation>
+    </message>
+    <message>
+        <source>A scene of one&apos;s own</source>
+        <translation>직접 만든 장면</translation>
+    </message>
+    <message>
+        <source>%1 (edited)</source>
+        <translation>%1 (수정됨)</translation>
+    </message>
+    <message>
+        <source>Choose a scene: %1</source>
+        <translation>장면 고르기: %1</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::ScrubBar</name>
+    <message>
+        <source>Time</source>
+        <translation>시각</translation>
+    </message>
+    <message>
+        <source>Drag to any time. Click a tick to open that collision. Arrow keys step by frames, with Ctrl by collisions; Home and End go to the ends.</source>
+        <translation>끌어서 원하는 시각으로 옮깁니다. 눈금을 누르면 그 충돌이 열립니다. 방향키는 한 프레임씩, Ctrl과 함께 누르면 충돌 단위로 옮기고, Home과 End는 양 끝으로 옮깁니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more at the same instant</source>
+        <translation>
+            <numerusform>같은 순간에 %n건 더</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::StepFigure</name>
+    <message>
+        <source>Figure: %1</source>
+        <translation>그림: %1</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::StepHeader</name>
+    <message>
+        <source>Open step %1: %2</source>
+        <translation>%1단계 열기: %2</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>%1단계: %2</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::StepOverlay</name>
+    <message>
+        <source>before %1 m/s</source>
+        <translation>충돌 전 %1 m/s</translation>
+    </message>
+    <message>
+        <source>after %1 m/s</source>
+        <translation>충돌 후 %1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::StepPanel</name>
+    <message>
+        <source>The steps of the collision</source>
+        <translation>충돌의 단계</translation>
+    </message>
+    <message>
+        <source>The collision before (Ctrl+←)</source>
+        <translation>이전 충돌 (Ctrl+←)</translation>
+    </message>
+    <message>
+        <source>The collision before</source>
+        <translation>이전 충돌</translation>
+    </message>
+    <message>
+        <source>The next collision (Ctrl+→)</source>
+        <translation>다음 충돌 (Ctrl+→)</translation>
+    </message>
+    <message>
+        <source>The next collision</source>
+        <translation>다음 충돌</translation>
+    </message>
+    <message>
+        <source>Go to the first collision</source>
+        <translation>첫 번째 충돌로 가기</translation>
+    </message>
+    <message>
+        <source>Go to the first collision (Ctrl+→)</source>
+        <translation>첫 번째 충돌로 가기 (Ctrl+→)</translation>
+    </message>
+    <message>
+        <source>Collision %1 of %2</source>
+        <translation>충돌 %1 / %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>one of %n at the same instant</source>
+        <translation>
+            <numerusform>같은 순간의 충돌 %n개 가운데 하나</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open a collision and see, step by step, how it comes out.</source>
+        <translation>충돌을 하나 열어, 그 결과가 나오는 과정을 단계별로 살펴봅시다.</translation>
+    </message>
+    <message>
+        <source>Nothing collides in this run.</source>
+        <translation>이 운동에서는 충돌이 일어나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Or press Ctrl+→, or click a collision on the time line.</source>
+        <translation>Ctrl+→를 누르거나 시간 막대에서 충돌을 눌러도 됩니다.</translation>
+    </message>
+    <message>
+        <source>Change a velocity or a position so that two bodies meet.</source>
+        <translation>두 물체가 만나도록 속도나 위치를 바꾸어 봅시다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::ThrowPanel</name>
+    <message>
+        <source>Weight</source>
+        <translation>볼 무게</translation>
+    </message>
+    <message>
+        <source>Mass of the ball: more than 0, at most 7.26 kg</source>
+        <translation>볼의 질량. 0보다 크고 7.26 kg 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Speed at the foul line: more than 0, at most 100 m/s</source>
+        <translation>파울 라인에서의 속력. 0보다 크고 100 m/s 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>Angle from straight down the lane, positive to the right</source>
+        <translation>레인 방향에서 잰 각. 오른쪽이 양의 방향입니다.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>The ball&apos;s centre at the foul line, from the middle, positive to the right; boards are counted from the right</source>
+        <translation>파울 라인에서 볼 중심의 위치. 레인 가운데에서 재며 오른쪽이 양의 방향입니다. 보드는 오른쪽부터 셉니다.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Turns a minute</source>
+        <translation>분당 회전수</translation>
+    </message>
+    <message>
+        <source>Axis of rotation</source>
+        <translation>회전축</translation>
+    </message>
+    <message>
+        <source>From a forward roll, positive hooks to the left</source>
+        <translation>앞으로 구르는 회전에서 잰 각. 양수이면 왼쪽으로 휩니다.</translation>
+    </message>
+    <message>
+        <source>Coefficient of restitution e</source>
+        <translation>반발 계수 e</translation>
+    </message>
+    <message>
+        <source>Between ball and pins, and pins and pins</source>
+        <translation>볼과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Rotation takes effect when the lane has friction.</source>
+        <translation>회전은 레인에 마찰이 있을 때 효과가 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>투구</translation>
+    </message>
+    <message>
+        <source>Throw the ball from the foul line</source>
+        <translation>파울 라인에서 볼을 던집니다.</translation>
+    </message>
+    <message>
+        <source>Default throw</source>
+        <translation>기본 투구</translation>
+    </message>
+    <message>
+        <source>Every attribute as it was at first</source>
+        <translation>모든 값을 처음대로 되돌립니다.</translation>
+    </message>
+    <message>
+        <source>must be between −90 and 90, is %1</source>
+        <translation>−90보다 크고 90보다 작아야 합니다. 지금 값: %1</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>오른쪽으로</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>왼쪽으로</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>똑바로</translation>
+    </message>
+    <message>
+        <source>board %1</source>
+        <translation>보드 %1번</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::TimeReadout</name>
+    <message>
+        <source>Present time</source>
+        <translation>현재 시각</translation>
+    </message>
+    <message>
+        <source>Present time, in seconds of the run</source>
+        <translation>현재 시각(초)</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::TimelineBar</name>
+    <message>
+        <source>To the start</source>
+        <translation>처음으로</translation>
+    </message>
+    <message>
+        <source>To the start (R)</source>
+        <translation>처음으로 (R)</translation>
+    </message>
+    <message>
+        <source>Collision before</source>
+        <translation>이전 충돌</translation>
+    </message>
+    <message>
+        <source>Collision before (Ctrl+←)</source>
+        <translation>이전 충돌 (Ctrl+←)</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>한 프레임 뒤로</translation>
+    </message>
+    <message>
+        <source>One frame back (←)</source>
+        <translation>한 프레임 뒤로 (←)</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>한 프레임 앞으로</translation>
+    </message>
+    <message>
+        <source>One frame forward (→)</source>
+        <translation>한 프레임 앞으로 (→)</translation>
+    </message>
+    <message>
+        <source>Next collision</source>
+        <translation>다음 충돌</translation>
+    </message>
+    <message>
+        <source>Next collision (Ctrl+→)</source>
+        <translation>다음 충돌 (Ctrl+→)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>일시 정지</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>재생</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>일시 정지 (스페이스 바)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>재생 (스페이스 바)</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::ZoomButtons</name>
+    <message>
+        <source>Zoom in</source>
+        <translation>확대</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>축소</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>전체 보기</translation>
+    </message>
+</context>
+</TS>

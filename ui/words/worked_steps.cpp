@@ -1,0 +1,179 @@
+#include "ui/words/worked_steps.h"
+
+#include "ui/words/scene_text.h"
+#include "ui/words/worked_lines.h"
+
+#include <QCoreApplication>
+
+namespace thetalane {
+namespace {
+
+QString stageSentence(Stage stage, const Collision& c) {
+    const PairCollision<double>& s = c.steps;
+    const bool parting = s.impulse < 0;
+    switch (stage) {
+    case Stage::Contact:
+        if (c.isWall())
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "The wall W counts as a second body of infinite mass at rest; the line of centres stands "
+                "square on it.");
+        if (s.contact.Z == 0)
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "The centres coincide, so there is no line of centres; θ = 0 is taken by rule.");
+        return QCoreApplication::translate(
+            "WorkedSteps",
+            "The bodies touch when the distance Z between their centres is no longer greater than the "
+            "sum of the radii; the triangle a, b, Z gives the direction θ of the line of centres.");
+    case Stage::Split:
+        return QCoreApplication::translate(
+            "WorkedSteps",
+            "Each velocity is an arrow; it is split into a component along x and one along y.");
+    case Stage::Rotation:
+        return QCoreApplication::translate(
+            "WorkedSteps",
+            "The axes are turned by θ, so that x′ lies on the line of centres and y′ across it; the "
+            "velocities stay as they are, only their components are new.");
+    case Stage::Exchange:
+        if (c.isWall())
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "Against an infinite mass the velocity along x′ turns round and keeps the fraction e; "
+                "along the frictionless wall, y′, no force acts, so nothing changes there.");
+        if (parting)
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "These two were already moving apart; the paper's loop exchanges every overlapping pair "
+                "all the same, and so drives them back together.");
+        if (s.restitution == 0)
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "With e = 0 both leave at the same velocity along x′; without friction the force acts "
+                "along the line of centres only, so y′ does not change.");
+        return QCoreApplication::translate(
+            "WorkedSteps", "Without friction the force acts along the line of centres only: along x′ it is a "
+                           "collision in one dimension, and across it, y′, nothing changes.");
+    case Stage::RotationBack:
+        return QCoreApplication::translate(
+            "WorkedSteps",
+            "The axes are turned back by θ, and the new components are read along x and y again.");
+    case Stage::Check:
+        if (c.isWall())
+            return QCoreApplication::translate(
+                "WorkedSteps",
+                "The wall takes up the impulse, so the body's own momentum changes; what must hold is the "
+                "ratio e of the speeds along x′.");
+        return s.restitution == 1
+                   ? QCoreApplication::translate(
+                         "WorkedSteps", "The total momentum is the same before and after, and at e = 1 so is "
+                                        "the kinetic energy.")
+                   : QCoreApplication::translate(
+                         "WorkedSteps", "The total momentum is the same before and after; kinetic energy is "
+                                        "lost along x′ only.");
+    }
+    return {};
+}
+
+std::vector<WorkedLine> linesOf(const LineWriter& writer, Stage stage) {
+    switch (stage) {
+    case Stage::Contact:
+        return writer.contact();
+    case Stage::Split:
+        return writer.split();
+    case Stage::Rotation:
+        return writer.rotation();
+    case Stage::Exchange:
+        return writer.exchange();
+    case Stage::RotationBack:
+        return writer.rotationBack();
+    case Stage::Check:
+        return writer.check();
+    }
+    return {};
+}
+
+// The line that says the step in short, for a card that is closed.
+std::size_t keyLine(Stage stage, const std::vector<WorkedLine>& lines) {
+    return stage == Stage::Contact || stage == Stage::Check ? lines.size() - 1 : 0;
+}
+
+Ink inkOf(const Collision& collision, int body, const QString& axis) {
+    if (axis == QStringLiteral("x′"))
+        return Ink::Along;
+    if (axis == QStringLiteral("y′"))
+        return Ink::Across;
+    return body == collision.first ? Ink::First : Ink::Second;
+}
+
+} // namespace
+
+QString stageTitle(Stage stage) {
+    switch (stage) {
+    case Stage::Contact:
+        return QCoreApplication::translate("WorkedSteps", "Contact");
+    case Stage::Split:
+        return QCoreApplication::translate("WorkedSteps", "Velocity split");
+    case Stage::Rotation:
+        return QCoreApplication::translate("WorkedSteps", "Rotation by θ");
+    case Stage::Exchange:
+        return QCoreApplication::translate("WorkedSteps", "Exchange along x′");
+    case Stage::RotationBack:
+        return QCoreApplication::translate("WorkedSteps", "Rotation back");
+    case Stage::Check:
+        return QCoreApplication::translate("WorkedSteps", "Check");
+    }
+    return {};
+}
+
+QString bodyName(const Scene& scene, int body) {
+    return QString::fromStdString(scene.bodies[std::size_t(body)].id);
+}
+
+QString partnerName(const Scene& scene, const Collision& collision) {
+    return collision.isWall() ? sideName(collision.side) : bodyName(scene, collision.second);
+}
+
+QString indexName(const Scene& scene, int body) {
+    constexpr int longest = 6;
+    if (body < 0)
+        return QStringLiteral("W");
+    const QString name = bodyName(scene, body);
+    return name.size() <= longest ? name : name.left(longest - 1) + QStringLiteral("…");
+}
+
+Formula velocitySymbol(const Scene& scene, const Collision& collision, int body, const QString& axis,
+                       When when) {
+    const QString name = indexName(scene, body);
+    const Ink owner = inkOf(collision, body, {});
+    const Ink ink = inkOf(collision, body, axis);
+    std::vector<Formula> index{upright(name, owner)};
+    if (!axis.isEmpty()) {
+        if (name.size() > 1) // v_ball,x but v_Ax
+            index.push_back(op(","));
+        index.push_back(symbol(axis, ink));
+    }
+    return script(symbol("v", ink), row(std::move(index)), when == When::After ? symbol("′") : Formula{});
+}
+
+QString plainText(const WorkedLine& line, Digits digits) {
+    QStringList parts;
+    for (const Formula* f : {&line.left, &line.symbolic, &line.substituted, &line.result})
+        if (!isEmpty(*f))
+            parts << plainText(*f, digits);
+    return parts.join(QStringLiteral(" = "));
+}
+
+std::vector<WorkedStep> workedSteps(const Scene& scene, const Collision& collision) {
+    const LineWriter writer(scene, collision);
+    std::vector<WorkedStep> steps;
+    for (int i = 0; i < stageCount; ++i) {
+        const Stage stage = Stage(i);
+        WorkedStep step{stage, stageTitle(stage), stageSentence(stage, collision), linesOf(writer, stage), 0};
+        step.key = keyLine(stage, step.lines);
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+} // namespace thetalane
