@@ -1,0 +1,258 @@
+// The whole window, driven by real keys and clicks, in both languages and at the sizes it is used at.
+#include "ui/main_window.h"
+
+#include "core/scene/builtin.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace thetalane;
+
+namespace {
+
+// A program as main() puts it together.
+struct Program {
+    Language language;
+    Session session;
+    Appearance appearance;
+    Playhead playhead{session};
+    MainWindow window;
+
+    explicit Program(Language::Code code, QSize size = {1280, 800})
+        : window(Context{session, playhead, appearance}, useFirst(language, code)) {
+        window.setReducedMotion(true);
+        window.resize(size);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.activateWindow();
+        QTRY_VERIFY(window.isActiveWindow());
+        QCoreApplication::processEvents();
+    }
+    static Language& useFirst(Language& language, Language::Code code) {
+        language.use(code);
+        return language;
+    }
+};
+
+QStringList textsOf(const QWidget* w) {
+    QStringList texts{w->toolTip(), w->accessibleName(), w->accessibleDescription()};
+    if (const auto* label = qobject_cast<const QLabel*>(w))
+        texts << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(w))
+        texts << button->text();
+    if (const auto* tabs = qobject_cast<const QTabWidget*>(w))
+        for (int i = 0; i < tabs->count(); ++i)
+            texts << tabs->tabText(i);
+    if (const auto* combo = qobject_cast<const QComboBox*>(w))
+        for (int i = 0; i < combo->count(); ++i)
+            texts << combo->itemText(i);
+    if (const auto* table = qobject_cast<const QTableView*>(w))
+        for (int c = 0; table->model() && c < table->model()->columnCount(); ++c)
+            texts << table->model()->headerData(c, Qt::Horizontal).toString()
+                  << table->model()->headerData(c, Qt::Horizontal, Qt::ToolTipRole).toString();
+    return texts;
+}
+
+// Words in Latin letters that a Korean page may hold: names, ids, keys, functions, units.
+QStringList latinWords(const QString& text) {
+    static const QStringList allowed{"ThetaLane", "English", "Ctrl", "Space", "Home", "End", "Enter", "Esc",
+                                     "cos",       "sin",     "ball", "rpm",   "deg",  "mph", "tan"};
+    static const QRegularExpression tags("<[^>]*>|&[a-z]+;"), word("[A-Za-z]{3,}");
+    QStringList found;
+    auto it = word.globalMatch(QString(text).remove(tags));
+    while (it.hasNext())
+        if (const QString w = it.next().captured(); !allowed.contains(w))
+            found << w;
+    return found;
+}
+
+QString describe(const QWidget* w) {
+    return QString("%1 \"%2\"").arg(w->metaObject()->className(), w->objectName());
+}
+
+} // namespace
+
+class TestWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(m_settings.isValid());
+        QCoreApplication::setOrganizationName("ThetaLaneTest");
+        QCoreApplication::setApplicationName("ThetaLaneTest");
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
+    }
+
+    void opensOnTwoBallsAboutToMeet() {
+        Program p(Language::Code::English);
+        QCOMPARE(p.session.sceneId(), QString("two-balls"));
+        QCOMPARE(p.playhead.time(), 0.0);
+        QVERIFY(!p.playhead.selected());
+    }
+
+    // Start-up to the first worked collision: one key.
+    void keysReachCollisionsStagesAndTime() {
+        Program p(Language::Code::English);
+        QTest::keyClick(&p.window, Qt::Key_Right, Qt::ControlModifier);
+        QCOMPARE(p.playhead.selected(), std::optional<std::size_t>(0));
+        QCOMPARE(p.playhead.time(), p.session.timeline().collisions()[0].time);
+        QTest::keyClick(&p.window, Qt::Key_Down);
+        QTest::keyClick(&p.window, Qt::Key_Down);
+        QCOMPARE(int(p.playhead.stage()), 2);
+        QTest::keyClick(&p.window, Qt::Key_Up);
+        QCOMPARE(int(p.playhead.stage()), 1);
+        QTest::keyClick(&p.window, Qt::Key_Right, Qt::ControlModifier);
+        QCOMPARE(p.playhead.selected(), std::optional<std::size_t>(1));
+        QTest::keyClick(&p.window, Qt::Key_Left, Qt::ControlModifier);
+        QTest::keyClick(&p.window, Qt::Key_Escape);
+        QVERIFY(!p.playhead.selected());
+
+        const double before = p.playhead.time();
+        QTest::keyClick(&p.window, Qt::Key_Right);
+        QVERIFY(std::abs(p.playhead.time() - before - 1.0 / 60) < 1e-12);
+        QTest::keyClick(&p.window, Qt::Key_Left);
+        QVERIFY(std::abs(p.playhead.time() - before) < 1e-12);
+
+        QTest::keyClick(&p.window, Qt::Key_Space);
+        QVERIFY(p.playhead.playing());
+        QTRY_VERIFY(p.playhead.time() > before + 0.02);
+        QTest::keyClick(&p.window, Qt::Key_Space);
+        QVERIFY(!p.playhead.playing());
+        QTest::keyClick(&p.window, Qt::Key_R);
+        QCOMPARE(p.playhead.time(), 0.0);
+    }
+
+    void languageSwitchesEverythingAtOnce() {
+        Program p(Language::Code::English);
+        auto* tabs = p.window.findChild<QTabWidget*>("tabs");
+        QCOMPARE(tabs->tabText(0), QString("Steps"));
+        QTest::keyClick(&p.window, Qt::Key_L);
+        QCOMPARE(p.language.code(), Language::Code::Korean);
+        QCoreApplication::processEvents();
+        QVERIFY(tabs->tabText(0) != "Steps");
+        QVERIFY(p.window.findChild<QToolButton*>("korean")->isChecked());
+        QTest::mouseClick(p.window.findChild<QToolButton*>("english"), Qt::LeftButton);
+        QCoreApplication::processEvents();
+        QCOMPARE(tabs->tabText(0), QString("Steps"));
+    }
+
+    void koreanPagesHoldNoEnglish_data() { sceneRows(); }
+    void koreanPagesHoldNoEnglish() {
+        QFETCH(QString, scene);
+        Program p(Language::Code::Korean);
+        QVERIFY(p.session.openBuiltin(scene));
+        for (const bool open : {false, true}) {
+            if (open)
+                p.playhead.select(0);
+            QCoreApplication::processEvents();
+            for (const QWidget* w : p.window.findChildren<QWidget*>())
+                for (const QString& text : textsOf(w))
+                    QVERIFY2(latinWords(text).isEmpty(), qPrintable(describe(w) + ": " + text));
+        }
+    }
+
+    void nothingIsClipped_data() {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("korean");
+        QTest::addColumn<bool>("projector");
+        for (const char* scene : {"two-balls", "rack", "bowling"})
+            for (const QSize size : {QSize(1024, 700), QSize(1920, 1080)})
+                for (const bool korean : {false, true})
+                    for (const bool projector : {false, true})
+                        QTest::addRow("%s %dx%d %s%s", scene, size.width(), size.height(),
+                                      korean ? "ko" : "en", projector ? " projector" : "")
+                            << QString(scene) << size << korean << projector;
+    }
+    void nothingIsClipped() {
+        QFETCH(QString, scene);
+        QFETCH(QSize, size);
+        QFETCH(bool, korean);
+        QFETCH(bool, projector);
+        Program p(korean ? Language::Code::Korean : Language::Code::English, size);
+        QVERIFY(p.session.openBuiltin(scene));
+        p.window.setProjector(projector);
+        auto* tabs = p.window.findChild<QTabWidget*>("tabs");
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            if (tab == 0)
+                p.playhead.select(0);
+            QTest::qWait(1);
+            QCOMPARE(p.window.size(), size); // nothing pushes the window open
+            for (const QWidget* w : p.window.findChildren<QWidget*>()) {
+                const auto* label = qobject_cast<const QLabel*>(w);
+                const auto* button = qobject_cast<const QAbstractButton*>(w);
+                const bool says = (label && !label->text().isEmpty() && !label->wordWrap()) ||
+                                  (button && !button->text().isEmpty());
+                if (says && w->isVisible())
+                    QVERIFY2(w->width() + 1 >= w->sizeHint().width(),
+                             qPrintable(QString("%1 is %2 wide, needs %3: %4")
+                                            .arg(describe(w))
+                                            .arg(w->width())
+                                            .arg(w->sizeHint().width())
+                                            .arg(textsOf(w).join('|'))));
+            }
+        }
+    }
+
+    void aSceneFileIsOpenedAndAWrongOneLeavesTheLastGood() {
+        Program p(Language::Code::English);
+        const QString good = write("good.json", R"({"format":"thetalane-scene","version":1,"restitution":1,
+            "bodies":[{"id":"P","kind":"ball","mass":1,"radius":0.1,"position":[0,0],"velocity":[1,0]}]})");
+        const QString bad = write("bad.json", R"({"format":"thetalane-scene","version":1,"restitution":1,
+            "bodies":[{"id":"P","kind":"ball","mass":-3,"radius":0.1,"position":[0,0],"velocity":[1,0]}]})");
+        p.window.openFile(good);
+        QCOMPARE(p.session.scene().bodies.size(), std::size_t(1));
+        p.window.openFile(bad);
+        auto* message = p.window.findChild<QLabel*>("messageText");
+        QVERIFY(message->isVisible());
+        QVERIFY2(message->text().contains("bad.json: bodies[0].mass: "), qPrintable(message->text()));
+        QVERIFY(message->text().contains("-3"));
+        QCOMPARE(p.session.scene().bodies[0].mass, 1.0);
+        p.window.openFile(m_settings.filePath("nowhere.json"));
+        QVERIFY(message->text().contains("nowhere.json"));
+        p.window.openFile(good);
+        QVERIFY(!message->isVisible());
+    }
+
+    void stateIsRemembered() {
+        {
+            Program p(Language::Code::Korean);
+            p.window.resize(1111, 777);
+            p.window.setProjector(true);
+            QVERIFY(p.window.close());
+        }
+        QCOMPARE(QSettings().value("language").toString(), QString("ko"));
+        Program p(Language::Code::English);
+        p.window.restoreState();
+        QCOMPARE(p.window.size(), QSize(1111, 777));
+        QVERIFY(p.appearance.projector());
+    }
+
+private:
+    static void sceneRows() {
+        QTest::addColumn<QString>("scene");
+        for (const BuiltinScene& s : builtinScenes())
+            QTest::newRow(std::string(s.id).c_str()) << QString::fromUtf8(s.id.data(), int(s.id.size()));
+    }
+    QString write(const QString& name, const QByteArray& text) {
+        QFile file(m_settings.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("cannot write a test file");
+        return file.fileName();
+    }
+    QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(TestWindow)
+#include "test_window.moc"

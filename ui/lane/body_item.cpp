@@ -1,0 +1,169 @@
+#include "ui/lane/body_item.h"
+
+#include "ui/lane/arrow.h"
+#include "ui/lane/scale.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace thetalane {
+namespace {
+
+constexpr double smallestBall = 4.5; // [px] so that a ball 19 m away is still found
+constexpr double shadeFrom = 6;      // [px] below it, a shade is only noise
+constexpr double capHeight = 0.73;   // of a sans serif's size
+const QColor neckRed(0xC8, 0x3A, 0x3A);
+
+} // namespace
+
+BodyItem::BodyItem(const Body& body, Ink ink, bool nameBeside, const Appearance& appearance)
+    : m_appearance(appearance)
+    , m_kind(body.kind)
+    , m_radius(body.radius * unitsPerMetre)
+    , m_name(QString::fromStdString(body.id))
+    , m_ink(ink)
+    , m_nameBeside(nameBeside) {
+    setZValue(1);
+    QFont font = appearance.font(Appearance::Size::Normal, true);
+    font.setPixelSize(100);
+    m_nameWidth = std::max(QFontMetricsF(font).horizontalAdvance(m_name) / 100, 0.1);
+}
+
+void BodyItem::setRole(Role role) {
+    if (role == m_role)
+        return;
+    m_role = role;
+    setZValue(role == Role::First || role == Role::Second ? 2 : 1);
+    update();
+}
+
+void BodyItem::setHovered(bool hovered) {
+    m_hovered = hovered;
+    update();
+}
+
+void BodyItem::setLost(bool lost) {
+    if (lost == m_lost)
+        return;
+    m_lost = lost;
+    update();
+}
+
+// Names and halos are sized in pixels: the margin lets them show at any sensible zoom.
+QRectF BodyItem::boundingRect() const {
+    const double r = 4 * m_radius;
+    return {-r, -r, 2 * r, 2 * r};
+}
+
+QColor BodyItem::fill() const {
+    switch (m_role) {
+    case Role::First:
+        return m_appearance.ink(Ink::First);
+    case Role::Second:
+        return m_appearance.ink(Ink::Second);
+    default:
+        break;
+    }
+    if (m_kind == BodyKind::Pin)
+        return m_appearance.pin();
+    return m_ink == Ink::Plain ? mixed(m_appearance.quietText(), m_appearance.card(), 0.8)
+                               : m_appearance.ink(m_ink);
+}
+
+QColor BodyItem::edge() const {
+    if (m_role == Role::First)
+        return m_appearance.textInk(Ink::First);
+    if (m_role == Role::Second)
+        return m_appearance.textInk(Ink::Second);
+    if (m_kind == BodyKind::Pin)
+        return mixed(m_appearance.quietText(), m_appearance.card(), 0.75);
+    return m_ink == Ink::Plain ? m_appearance.quietText() : m_appearance.textInk(m_ink);
+}
+
+void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    const QPointF at = painter->worldTransform().map(QPointF(0, 0));
+    double radius = m_radius * painter->worldTransform().m11();
+    if (m_kind == BodyKind::Ball)
+        radius = std::max(radius, smallestBall);
+    const Pixels pixels(*painter);
+    if (m_role == Role::Receding)
+        painter->setOpacity(0.32);
+    else if (m_lost)
+        painter->setOpacity(0.42);
+    if (m_hovered) {
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(faded(m_appearance.accent(), 0.22));
+        const double halo = radius + 4 * m_appearance.lineWidth();
+        painter->drawEllipse(at, halo, halo);
+    }
+    if (m_kind == BodyKind::Ball)
+        paintBall(*painter, at, radius);
+    else
+        paintPin(*painter, at, radius);
+    if (!chosen()) // the overlay finds a place for those two
+        paintName(*painter, at, radius);
+}
+
+void BodyItem::paintBall(QPainter& painter, const QPointF& at, double radius) const {
+    const bool thin = m_role == Role::Receding || radius < shadeFrom;
+    painter.setPen(QPen(edge(), thin ? 1 : m_appearance.lineWidth() * 0.75));
+    if (chosen() && !thin) {
+        // Light inside, so that what the overlay draws on it is seen.
+        const double rim = 1.5 * m_appearance.lineWidth();
+        painter.setPen(QPen(fill(), rim));
+        painter.setBrush(mixed(fill(), m_appearance.card(), 0.16));
+        painter.drawEllipse(at, radius - rim / 2, radius - rim / 2);
+        return;
+    }
+    painter.setBrush(fill());
+    painter.drawEllipse(at, radius, radius);
+    if (thin)
+        return;
+    // Two flat discs: a gradient would cost ten times as much in every frame, and be louder.
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(QColor(Qt::white), 0.1));
+    painter.drawEllipse(at - QPointF(radius, radius) * 0.16, radius * 0.68, radius * 0.68);
+}
+
+// White from above, with the ring of the neck.
+void BodyItem::paintPin(QPainter& painter, const QPointF& at, double radius) const {
+    const double rim = m_appearance.lineWidth() * (chosen() ? std::min(radius / 12, 1.5) : 0.6);
+    painter.setPen(QPen(chosen() ? fill() : edge(), rim));
+    painter.setBrush(chosen() ? mixed(fill(), m_appearance.pin(), 0.1) : m_appearance.pin());
+    painter.drawEllipse(at, radius - rim / 2, radius - rim / 2);
+    if (radius < shadeFrom)
+        return;
+    const double ring = radius * 0.6;
+    painter.setPen(QPen(m_role == Role::Receding ? edge()
+                        : chosen()               ? faded(neckRed, 0.3)
+                                                 : neckRed,
+                        std::clamp(radius * 0.07, 1.0, 4.0)));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, ring, ring);
+}
+
+void BodyItem::paintName(QPainter& painter, const QPointF& at, double radius) const {
+    const double room = (m_kind == BodyKind::Pin ? 0.52 : 0.8) * radius;
+    QFont font = m_appearance.font(Appearance::Size::Normal, true);
+    const double least = m_appearance.pixels(Appearance::Size::Small) * 0.85;
+    const double most = m_appearance.pixels(Appearance::Size::Title);
+    const double size = std::min({most, 1.3 * room, 1.75 * room / m_nameWidth});
+    painter.setPen(m_kind == BodyKind::Pin ? m_appearance.text() : QColor(Qt::white));
+    if (size >= least) {
+        const double pixels = std::floor(size);
+        font.setPixelSize(int(pixels));
+        painter.setFont(font);
+        painter.drawText(at + QPointF(-m_nameWidth / 2, capHeight / 2) * pixels, m_name);
+        return;
+    }
+    if (!m_nameBeside || m_role == Role::Receding)
+        return;
+    font.setPixelSize(m_appearance.pixels(Appearance::Size::Small));
+    painter.setFont(font);
+    painter.setPen(m_appearance.quietText());
+    painter.drawText(at + QPointF(radius * 0.75 + 3, -radius * 0.75 - 2), m_name);
+}
+
+} // namespace thetalane

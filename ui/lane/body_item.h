@@ -1,0 +1,52 @@
+// A ball or a pin from above.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "ui/appearance.h"
+
+#include <QGraphicsItem>
+
+namespace thetalane {
+
+class BodyItem : public QGraphicsItem {
+public:
+    enum class Role {
+        Usual,
+        First,    // of the selected collision
+        Second,   // of the selected collision
+        Receding, // another collision is selected
+    };
+
+    // `ink`: the colour of the body while no collision is selected.
+    BodyItem(const Body& body, Ink ink, bool nameBeside, const Appearance& appearance);
+
+    void setRole(Role role);
+    void setHovered(bool hovered);
+    void setLost(bool lost); // in a gutter or the pit: dimmed
+    Role role() const { return m_role; }
+    bool hovered() const { return m_hovered; }
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    bool chosen() const { return m_role == Role::First || m_role == Role::Second; }
+    QColor fill() const;
+    QColor edge() const;
+    void paintBall(QPainter& painter, const QPointF& at, double radius) const;
+    void paintPin(QPainter& painter, const QPointF& at, double radius) const;
+    void paintName(QPainter& painter, const QPointF& at, double radius) const;
+
+    const Appearance& m_appearance;
+    BodyKind m_kind;
+    double m_radius; // [units]
+    QString m_name;
+    double m_nameWidth = 0; // at a size of 1
+    Ink m_ink;
+    bool m_nameBeside; // where the disc is too small for its name
+    Role m_role = Role::Usual;
+    bool m_hovered = false;
+    bool m_lost = false;
+};
+
+} // namespace thetalane

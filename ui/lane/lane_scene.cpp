@@ -1,0 +1,192 @@
+#include "ui/lane/lane_scene.h"
+
+#include "ui/lane/body_item.h"
+#include "ui/lane/extent.h"
+#include "ui/lane/floor.h"
+#include "ui/lane/paths_item.h"
+#include "ui/lane/scale.h"
+#include "ui/lane/velocity_item.h"
+#include "ui/words/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace thetalane {
+namespace {
+
+// The colour code needs a collision. Where it is clear who will be first and second, they wear it already.
+std::vector<Ink> usualInks(const Scene& scene) {
+    std::vector<Ink> inks(scene.bodies.size(), Ink::Plain);
+    const auto balls = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const Body& b) { return b.kind == BodyKind::Ball; });
+    if (scene.bodies.front().kind == BodyKind::Ball && (balls == 1 || scene.bodies.size() == 2))
+        inks[0] = Ink::First;
+    if (scene.bodies.size() == 2 && balls == 2)
+        inks[1] = Ink::Second;
+    return inks;
+}
+
+double fastest(const Timeline& timeline) {
+    double speed = 0;
+    for (std::size_t i = 0; i < timeline.bodyCount(); ++i)
+        for (const Segment& s : timeline.segments(i))
+            speed = std::max(speed, norm(s.velocity));
+    return speed;
+}
+
+double largestRadius(const Scene& scene) {
+    double radius = 0;
+    for (const Body& body : scene.bodies)
+        radius = std::max(radius, body.radius);
+    return radius;
+}
+
+} // namespace
+
+LaneScene::LaneScene(const Context& context, QObject* parent)
+    : QGraphicsScene(parent)
+    , m_context(context)
+    , m_paths(new PathsItem(context.appearance))
+    , m_velocities(new VelocityItem(context.appearance, m_states)) {
+    setItemIndexMethod(NoIndex); // everything moves in every frame
+    addItem(m_paths);
+    addItem(m_velocities);
+    connect(&context.session, &Session::runChanged, this, &LaneScene::rebuild);
+    connect(&context.playhead, &Playhead::timeChanged, this, &LaneScene::showTime);
+    connect(&context.playhead, &Playhead::selectionChanged, this, &LaneScene::showSelection);
+    connect(&context.appearance, &Appearance::changed, this, [this] { update(); });
+    rebuild();
+}
+
+void LaneScene::rebuild() {
+    m_run = m_context.session.run();
+    const Scene& scene = m_run->scene;
+    const double until = m_context.session.shownUntil();
+    m_hovered.reset();
+    qDeleteAll(m_bodies);
+    m_bodies.clear();
+
+    const std::vector<Ink> inks = usualInks(scene);
+    const bool pins = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                  [](const Body& b) { return b.kind == BodyKind::Pin; });
+    const bool namesBeside = !pins && scene.bodies.size() <= 30;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        m_bodies.push_back(new BodyItem(scene.bodies[i], inks[i], namesBeside, m_context.appearance));
+        addItem(m_bodies.back());
+    }
+    const double speed = fastest(m_run->timeline);
+    m_metresPerSpeed = speed > 0 ? 3 * largestRadius(scene) / speed : 0;
+    const QRectF whole = thetalane::wholeRect(*m_run, until);
+    const double margin = 20 * std::max(whole.width(), whole.height());
+    const QRectF world = whole.adjusted(-margin, -margin, margin, margin);
+    setSceneRect(world);
+    m_paths->build(*m_run, until, inks);
+    m_velocities->setUp(inks, m_metresPerSpeed, 1e-3 * speed, world);
+    showTime(m_context.playhead.time());
+    showSelection();
+    emit rebuilt();
+}
+
+void LaneScene::showTime(double time) {
+    if (m_run != m_context.session.run())
+        return; // rebuild() is about to come
+    m_run->timeline.stateAt(time, m_states);
+    for (std::size_t i = 0; i < m_states.size(); ++i) {
+        m_bodies[i]->setPos(toUnits(m_states[i].position));
+        m_bodies[i]->setLost(m_states[i].place != Place::Play);
+    }
+    m_paths->setTime(time, m_states);
+    m_velocities->update();
+}
+
+void LaneScene::showSelection() {
+    if (m_run != m_context.session.run())
+        return;
+    const Collision* collision = selected();
+    for (int i = 0; i < int(m_bodies.size()); ++i) {
+        using Role = BodyItem::Role;
+        const Role role = !collision               ? Role::Usual
+                          : i == collision->first  ? Role::First
+                          : i == collision->second ? Role::Second
+                                                   : Role::Receding;
+        m_bodies[std::size_t(i)]->setRole(role);
+    }
+    m_paths->setReceding(collision != nullptr);
+    m_velocities->setVisible(!collision); // the overlay has its own
+}
+
+QRectF LaneScene::fitRect() const {
+    return thetalane::fitRect(*m_run, m_context.session.shownUntil());
+}
+
+QRectF LaneScene::wholeRect() const {
+    return thetalane::wholeRect(*m_run, m_context.session.shownUntil());
+}
+
+const Collision* LaneScene::selected() const {
+    const auto index = m_context.playhead.selected();
+    return index && m_run == m_context.session.run() ? &m_run->timeline.collisions()[*index] : nullptr;
+}
+
+std::optional<int> LaneScene::bodyNear(const QPointF& at, double slack) const {
+    std::optional<int> found;
+    double least = slack;
+    const Vec2d point = toMetres(at);
+    for (std::size_t i = 0; i < m_states.size(); ++i) {
+        const double gap =
+            (norm(m_states[i].position - point) - m_run->scene.bodies[i].radius) * unitsPerMetre;
+        if (gap <= least) {
+            least = gap;
+            found = int(i);
+        }
+    }
+    return found;
+}
+
+void LaneScene::setHovered(std::optional<int> body) {
+    if (body == m_hovered)
+        return;
+    if (m_hovered)
+        m_bodies[std::size_t(*m_hovered)]->setHovered(false);
+    m_hovered = body;
+    if (m_hovered)
+        m_bodies[std::size_t(*m_hovered)]->setHovered(true);
+}
+
+QString LaneScene::bodyTip(int body) const {
+    const Body& b = m_run->scene.bodies[std::size_t(body)];
+    const Vec2d v = m_states[std::size_t(body)].velocity;
+    const double speed = norm(v);
+    QStringList lines{QString::fromStdString(b.id), tr("Mass %1 kg").arg(numberText(b.mass))};
+    if (speed > 0) {
+        lines << tr("Speed %1 m/s").arg(numberText(speed));
+        lines << tr("Direction %1° from the x axis")
+                     .arg(numberText(std::atan2(v.y, v.x) * 180 / std::numbers::pi));
+    } else {
+        lines << tr("At rest");
+    }
+    if (nextCollisionOf(body))
+        lines << tr("Click: open its next collision");
+    return lines.join('\n');
+}
+
+std::optional<std::size_t> LaneScene::nextCollisionOf(int body) const {
+    const auto collisions = m_run->timeline.collisions();
+    const Collision* open = selected();
+    std::size_t from = 0;
+    if (open && open->involves(body))
+        from = *m_context.playhead.selected() + 1;
+    else if (const auto before = m_run->timeline.collisionBefore(m_context.playhead.time()))
+        from = *before + 1;
+    for (std::size_t i = from; i < collisions.size(); ++i)
+        if (collisions[i].involves(body))
+            return i;
+    return std::nullopt;
+}
+
+void LaneScene::drawBackground(QPainter* painter, const QRectF& rect) {
+    paintFloor(*painter, m_run->scene, m_context.appearance, rect);
+}
+
+} // namespace thetalane

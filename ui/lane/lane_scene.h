@@ -1,0 +1,60 @@
+// Floor, bodies, arrows and paths of the present run at the present time; any number of views look at it.
+#pragma once
+
+#include "ui/context.h"
+
+#include <QGraphicsScene>
+
+#include <optional>
+#include <vector>
+
+namespace thetalane {
+
+class BodyItem;
+class PathsItem;
+class VelocityItem;
+
+class LaneScene : public QGraphicsScene {
+    Q_OBJECT
+public:
+    explicit LaneScene(const Context& context, QObject* parent = nullptr);
+
+    const Run& run() const { return *m_run; }
+    const std::vector<BodyState>& states() const { return m_states; }
+    const std::vector<BodyItem*>& bodies() const { return m_bodies; }
+    double metresPerSpeed() const { return m_metresPerSpeed; } // the arrows' scale [m/(m/s)]
+
+    QRectF fitRect() const;   // what to show at first [units]
+    QRectF wholeRect() const; // beyond it there is nothing to see [units]
+    const Collision* selected() const;
+
+    // The body at a point, or within `slack` of its edge [units].
+    std::optional<int> bodyNear(const QPointF& at, double slack) const;
+    void setHovered(std::optional<int> body);
+    QString bodyTip(int body) const; // mass, speed, direction as they are now
+
+    // The first collision of a body at or after the present time; after the one that is selected.
+    std::optional<std::size_t> nextCollisionOf(int body) const;
+
+signals:
+    void rebuilt(); // another run
+
+protected:
+    void drawBackground(QPainter* painter, const QRectF& rect) override;
+
+private:
+    void rebuild();
+    void showTime(double time);
+    void showSelection();
+
+    Context m_context;
+    std::shared_ptr<const Run> m_run;
+    std::vector<BodyState> m_states; // kept from frame to frame
+    std::vector<BodyItem*> m_bodies;
+    PathsItem* m_paths;
+    VelocityItem* m_velocities;
+    std::optional<int> m_hovered;
+    double m_metresPerSpeed = 0;
+};
+
+} // namespace thetalane

@@ -1,0 +1,45 @@
+// How many pins the ball and the other pins have touched (the paper's figure 14), and how many went down.
+#pragma once
+
+#include "ui/context.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace thetalane {
+
+class PinBadge : public QWidget {
+    Q_OBJECT
+public:
+    explicit PinBadge(const Context& context, QWidget* parent = nullptr);
+
+    int touched() const { return m_touched; }
+    int down() const { return m_down; }
+    bool hasPins() const { return m_pins > 0; }
+    QSize sizeHint() const override;
+
+signals:
+    void resized(); // its size hint changed
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void adoptRun();
+    void showTime(double time);
+    void retranslate();
+
+    Context m_context;
+    std::shared_ptr<const Run> m_run;
+    std::vector<double> m_changes; // the only times at which a count can change [s]
+    std::ptrdiff_t m_change = -1;  // how many of them have passed
+    int m_pins = 0;
+    int m_touched = 0;
+    int m_down = 0;
+    QString m_touchedText;
+    QString m_downText;
+};
+
+} // namespace thetalane

@@ -1,0 +1,46 @@
+// The collisions of a run as a table: nothing is copied, and nothing is computed but the text of the rows
+// seen.
+#pragma once
+
+#include "core/engine/engine.h"
+
+#include <QAbstractTableModel>
+
+#include <memory>
+
+namespace thetalane {
+
+class CollisionModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Number, Time, Bodies, Impulse, EnergyLoss, columnCountOfAll };
+
+    // Beside what is displayed: how a row stands among those of its instant.
+    enum Role { InstantRole = Qt::UserRole };
+    enum Instant { Alone = 0, First = 1, Last = 2, Between = 3 };
+
+    explicit CollisionModel(QObject* parent = nullptr);
+
+    void setRun(std::shared_ptr<const Run> run);
+    void retranslate();
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    // One line, every digit, columns parted by tabs: number, time, first, second, impulse, energy loss,
+    // group.
+    QString exactRow(int row) const;
+    QString exactHeader() const;
+
+private:
+    const Collision& at(int row) const;
+    QString shown(const Collision& collision, int row, int column) const;
+    QString hint(const Collision& collision, int row, int column) const;
+    int instant(int row) const;
+
+    std::shared_ptr<const Run> m_run;
+};
+
+} // namespace thetalane
