@@ -5,12 +5,14 @@
 #include "ui/main_window.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QImage>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStyleFactory>
 
 #include <algorithm>
+#include <new>
 
 namespace thetalane {
 namespace {
@@ -76,9 +78,27 @@ QImage pictureOf(QWidget& window, QSize size) {
     return image.size() == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
+// A disk that fills up takes a part first, and tells why with the next piece.
+bool writeAll(QIODevice& device, const QByteArray& bytes) {
+    qint64 written = 0;
+    while (written < bytes.size()) {
+        const qint64 n = device.write(bytes.constData() + written, bytes.size() - written);
+        if (n <= 0)
+            return false;
+        written += n;
+    }
+    return true;
+}
+
 int savePng(const QImage& image, const QString& path) {
+    // In memory first: where the disk is full, libpng would have a line of its own to say.
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG"))
+        throw std::bad_alloc();
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
+    if (!file.open(QIODevice::WriteOnly) || !writeAll(file, png) || !file.commit())
         return failure("--output: " + oneLine(path) + ": " + oneLine(file.errorString()));
     return Done;
 }

@@ -3,6 +3,7 @@
 #include "core/scene/builtin.h"
 #include "tests/app/program.h"
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -273,6 +274,27 @@ private slots:
                          .arg(qFromBigEndian<quint32>(head.data() + 20)),
                      size);
         }
+    }
+
+    void aPictureThatDoesNotFitLeavesTheOldOne() {
+        QTemporaryDir dir;
+        const QString path = dir.filePath("picture.png");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("old") == 3);
+        file.close();
+        QProcess process;
+        process.setEnvironment({"PATH=/usr/bin:/bin"});
+        // A file may grow to 4 KiB, as on a disk that is nearly full.
+        process.start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; exec \"$0\" picture rack --output \"$1\"",
+                                  THETALANE_PROGRAM, path});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        const QString error = QString::fromUtf8(process.readAllStandardError());
+        QVERIFY2(isOneLine(error), qPrintable(error));
+        QVERIFY2(error.contains("too large") || error.contains("without the window"), qPrintable(error));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("old"));
+        QCOMPARE(QDir(dir.path()).entryList(QDir::Files), QStringList("picture.png"));
     }
 
     void columnsLineUpWithKoreanNames() {
