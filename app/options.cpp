@@ -28,6 +28,8 @@ bool inside(double v, const Range& r) {
 }
 
 QString outsideText(double v, const Range& r) {
+    if (std::isinf(r.high) && !r.lowOpen)
+        return OptionsText::tr("must be at least %1, is %2").arg(digits(r.low), digits(v));
     if (std::isinf(r.high))
         return OptionsText::tr("must be greater than %1, is %2").arg(digits(r.low), digits(v));
     if (!r.lowOpen)

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/text_table.h"
+#include "core/format/run_file.h"
 #include "core/format/run_names.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
@@ -76,7 +77,7 @@ void printCollisions(const Run& run) {
 }
 
 void printTotals(const Run& run) {
-    const Totals start = totals(run.scene, run.timeline.stateAt(0));
+    const Totals start = startTotals(run);
     const Totals end = totals(run.scene, run.timeline.stateAt(run.timeline.endTime()));
     const QList<QStringList> rows{
         totalsRow(RunReportText::tr("Momentum, x [kg·m/s]"), start.momentum.x, end.momentum.x),

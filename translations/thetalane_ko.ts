@@ -138,6 +138,10 @@
         <translation>%1보다 커야 하는데 %2입니다</translation>
     </message>
     <message>
+        <source>must be at least %1, is %2</source>
+        <translation>%1 이상이어야 하는데 %2입니다</translation>
+    </message>
+    <message>
         <source>must be from %1 to %2, is %3</source>
         <translation>%1부터 %2까지여야 하는데 %3입니다</translation>
     </message>

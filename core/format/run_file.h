@@ -9,6 +9,9 @@
 
 namespace thetalane {
 
+// Of the scene as it was given: a summary's timeline has forgotten how the bodies began.
+Totals startTotals(const Run& run);
+
 // Streams, so that a million collisions need no more memory than one. `extra` is added at the top level
 // ("throw", "pins_down"). False when the device cannot be written.
 bool writeRunJson(const Run& run, QIODevice& out, const QJsonObject& extra = {});

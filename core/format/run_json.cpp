@@ -112,9 +112,16 @@ void writeExtra(const QJsonObject& extra, Output& out) {
 
 } // namespace
 
+Totals startTotals(const Run& run) {
+    std::vector<BodyState> states;
+    states.reserve(run.scene.bodies.size());
+    for (const Body& b : run.scene.bodies)
+        states.push_back({b.position, b.velocity});
+    return totals(run.scene, states);
+}
+
 bool writeRunJson(const Run& run, QIODevice& device, const QJsonObject& extra) {
     Output out(device);
-    const auto start = run.timeline.stateAt(0);
     const auto end = run.timeline.stateAt(run.timeline.endTime());
     writeHead(run, out);
     if (run.settings.keepDetail) {
@@ -123,7 +130,7 @@ bool writeRunJson(const Run& run, QIODevice& device, const QJsonObject& extra) {
             writeDepartures(run, out);
     }
     writeEnd(run, end, out);
-    out << ",\n  \"totals\": {\"start\": " + totalsText(totals(run.scene, start)) +
+    out << ",\n  \"totals\": {\"start\": " + totalsText(startTotals(run)) +
                ", \"end\": " + totalsText(totals(run.scene, end)) + '}';
     writeExtra(extra, out);
     out << "\n}\n";

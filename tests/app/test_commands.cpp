@@ -3,10 +3,12 @@
 #include "core/scene/builtin.h"
 #include "tests/app/program.h"
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 
 using namespace thetalane;
 
@@ -141,6 +143,7 @@ private slots:
         row("throw --position 0.6", "--position: must be from -0.52705 to 0.52705, is 0.6");
         row("throw --spin inf", "--spin: must be a number");
         row("throw --axis 1x", "--axis: must be a number");
+        row("picture two-balls --output x.png --at -1", "--at: must be at least 0, is -1");
     }
 
     void wrongCalls() {
@@ -236,6 +239,62 @@ private slots:
             const QString error = QString::fromUtf8(process.readAllStandardError());
             QVERIFY2(isOneLine(error) && error.contains("cannot be written"), qPrintable(error));
         }
+    }
+
+    void withoutADisplayTheWindowSaysSoInOneLine() {
+        for (const QStringList& environment : {QStringList{},
+                                               {"DISPLAY=:4077"},
+                                               {"WAYLAND_DISPLAY=none", "DISPLAY=:4077"},
+                                               {"QT_QPA_PLATFORM=xcb", "DISPLAY=:4077"},
+                                               {"QT_QPA_PLATFORM="},
+                                               {"QT_QPA_PLATFORM=nonsense"}}) {
+            const Outcome o = call({"--language", "en"}, {}, environment);
+            const QByteArray where = environment.join(' ').toUtf8() + ": " + o.error.toUtf8();
+            QVERIFY2(o.status == 1 && isOneLine(o.error), where.constData());
+            QVERIFY(o.out.isEmpty());
+        }
+    }
+
+    void aPictureHasTheSizeAskedFor() {
+        QTemporaryDir dir;
+        const QString path = dir.filePath("picture.png");
+        // Less than the window's least size, as much as that and more; on a screen of double density.
+        for (const QString size : {"320x400", "640x480", "800x560", "1280x800"}) {
+            const Outcome o = call(
+                {"picture", "rack", "--collision", "2", "--size", size, "--output", path, "--language", "en"},
+                {}, {"QT_SCALE_FACTOR=2"});
+            if (o.error.contains("without the window"))
+                return; // nothing can draw
+            QVERIFY2(o.status == 0 && o.error.isEmpty(), qPrintable(o.error));
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray head = file.read(24); // of a PNG: width and height are its last eight bytes
+            QCOMPARE(QString("%1x%2")
+                         .arg(qFromBigEndian<quint32>(head.data() + 16))
+                         .arg(qFromBigEndian<quint32>(head.data() + 20)),
+                     size);
+        }
+    }
+
+    void aPictureThatDoesNotFitLeavesTheOldOne() {
+        QTemporaryDir dir;
+        const QString path = dir.filePath("picture.png");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("old") == 3);
+        file.close();
+        QProcess process;
+        process.setEnvironment({"PATH=/usr/bin:/bin"});
+        // A file may grow to 4 KiB, as on a disk that is nearly full.
+        process.start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; exec \"$0\" picture rack --output \"$1\"",
+                                  THETALANE_PROGRAM, path});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        const QString error = QString::fromUtf8(process.readAllStandardError());
+        QVERIFY2(isOneLine(error), qPrintable(error));
+        QVERIFY2(error.contains("too large") || error.contains("without the window"), qPrintable(error));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("old"));
+        QCOMPARE(QDir(dir.path()).entryList(QDir::Files), QStringList("picture.png"));
     }
 
     void columnsLineUpWithKoreanNames() {
