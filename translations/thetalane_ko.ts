@@ -51,7 +51,7 @@
     </message>
     <message>
         <source>event: from contact to contact; stepped: the paper&apos;s loop; auto: event</source>
-        <translation>event: 접촉에서 접촉으로 진행, stepped: 논문의 반복 계산, auto: event와 같음</translation>
+        <translation>event: 다음 충돌의 시각을 바로 계산, stepped: 논문의 반복 계산, auto: event와 같음</translation>
     </message>
     <message>
         <source>the step of the stepped engine [s]; 1/60 unless said</source>
@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>nothing collides in this scene</source>
-        <translation>이 장면에서는 아무것도 충돌하지 않습니다</translation>
+        <translation>이 장면에서는 충돌이 일어나지 않습니다</translation>
     </message>
     <message>
         <source>must be from 1 to %1, the number of collisions, is %2</source>
@@ -242,7 +242,7 @@
     </message>
     <message>
         <source>the moment to show, in seconds; 0 unless said</source>
-        <translation>보여 줄 순간(초). 말하지 않으면 0</translation>
+        <translation>보여 줄 시각(초). 기본값 0</translation>
     </message>
     <message>
         <source>the collision to open, from 1</source>
@@ -250,11 +250,11 @@
     </message>
     <message>
         <source>its stage: 0 contact, 1 split, 2 rotation, 3 exchange, 4 back, 5 check</source>
-        <translation>충돌의 단계: 0 접촉, 1 분해, 2 회전, 3 교환, 4 역회전, 5 확인</translation>
+        <translation>충돌의 단계: 0 접촉, 1 속도의 분해, 2 좌표축의 회전, 3 x′축의 1차원 충돌, 4 역회전, 5 확인</translation>
     </message>
     <message>
         <source>of the picture, in pixels; 1280x800 unless said</source>
-        <translation>그림의 크기(픽셀). 말하지 않으면 1280x800</translation>
+        <translation>그림의 크기(픽셀). 기본값 1280x800</translation>
     </message>
     <message>
         <source>larger, for the back row of a class</source>
@@ -262,7 +262,7 @@
     </message>
     <message>
         <source>a collision has its own moment; say --at or --collision, not both</source>
-        <translation>충돌은 제 시각이 있습니다. --at과 --collision 가운데 하나만 쓰십시오</translation>
+        <translation>충돌의 시각은 이미 정해져 있습니다. --at과 --collision 가운데 하나만 쓰십시오</translation>
     </message>
 </context>
 <context>
@@ -665,7 +665,7 @@
     <name>Window</name>
     <message>
         <source>no display answers; thetalane --help lists the commands that need none</source>
-        <translation>응답하는 화면이 없습니다. 화면 없이 쓰는 명령은 thetalane --help에서 볼 수 있습니다</translation>
+        <translation>창을 띄울 화면(디스플레이)이 없습니다. 화면 없이 쓸 수 있는 명령은 thetalane --help에서 볼 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -676,7 +676,7 @@
     </message>
     <message>
         <source>The bodies touch when the distance Z between their centres is no longer greater than the sum of the radii; the triangle a, b, Z gives the direction θ of the line of centres.</source>
-        <translation>두 물체는 중심 사이의 거리 Z가 반지름의 합보다 크지 않을 때 맞닿습니다. 삼각형 a, b, Z에서 중심선의 방향 θ를 구합니다.</translation>
+        <translation>두 물체는 중심 사이의 거리 Z가 반지름의 합 이하일 때 맞닿습니다. 직각삼각형 a, b, Z에서 중심선의 방향 θ를 구합니다.</translation>
     </message>
     <message>
         <source>Each velocity is an arrow; it is split into a component along x and one along y.</source>
@@ -688,11 +688,11 @@
     </message>
     <message>
         <source>Against an infinite mass the velocity along x′ turns round and keeps the fraction e; along the frictionless wall, y′, no force acts, so nothing changes there.</source>
-        <translation>상대의 질량이 무한대이므로 x′ 방향의 속도는 방향이 뒤집히고 크기는 e배가 됩니다. 마찰이 없는 벽을 따라서는(y′ 방향) 힘이 작용하지 않으므로 변하지 않습니다.</translation>
+        <translation>벽의 질량이 무한대이므로 x′ 방향의 속도는 방향이 반대로 바뀌고 크기는 e배가 됩니다. 벽에는 마찰이 없어 벽과 나란한 y′ 방향으로는 힘이 작용하지 않으므로 y′ 성분은 변하지 않습니다.</translation>
     </message>
     <message>
         <source>With e = 0 both leave at the same velocity along x′; without friction the force acts along the line of centres only, so y′ does not change.</source>
-        <translation>e = 0이므로 두 물체는 x′ 방향으로 같은 속도가 됩니다. 마찰이 없으면 힘은 중심선을 따라서만 작용하므로 y′ 성분은 변하지 않습니다.</translation>
+        <translation>e = 0이므로 충돌 후 두 물체의 x′ 방향 속도는 같습니다. 마찰이 없으면 힘은 중심선을 따라서만 작용하므로 y′ 성분은 변하지 않습니다.</translation>
     </message>
     <message>
         <source>Without friction the force acts along the line of centres only: along x′ it is a collision in one dimension, and across it, y′, nothing changes.</source>
@@ -700,15 +700,15 @@
     </message>
     <message>
         <source>The axes are turned back by θ, and the new components are read along x and y again.</source>
-        <translation>좌표축을 θ만큼 되돌려, 새 속도의 성분을 다시 x와 y 방향으로 환산합니다.</translation>
+        <translation>좌표축을 θ만큼 되돌려, 충돌 후의 속도를 다시 x 성분과 y 성분으로 환산합니다.</translation>
     </message>
     <message>
         <source>The total momentum is the same before and after, and at e = 1 so is the kinetic energy.</source>
-        <translation>충돌 전후의 운동량의 합은 같고, e = 1이므로 운동 에너지의 합도 같습니다.</translation>
+        <translation>충돌 전후에 운동량의 합은 보존되며, e = 1이므로 운동 에너지의 합도 보존됩니다.</translation>
     </message>
     <message>
         <source>The total momentum is the same before and after; kinetic energy is lost along x′ only.</source>
-        <translation>충돌 전후의 운동량의 합은 같고, 운동 에너지는 x′ 방향에서만 줄어듭니다.</translation>
+        <translation>충돌 전후에 운동량의 합은 보존되며, 운동 에너지는 x′ 방향의 몫만 줄어듭니다.</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -740,11 +740,11 @@
     </message>
     <message>
         <source>The wall takes up the impulse, so the body&apos;s own momentum changes; what must hold is the ratio e of the speeds along x′.</source>
-        <translation>벽이 충격량을 받으므로 물체의 운동량은 변합니다. 확인할 것은 x′ 방향 속력의 비 e입니다.</translation>
+        <translation>벽에서 충격량을 받으므로 물체의 운동량은 변합니다. 여기서는 x′ 방향 속력의 비가 e인지 확인합니다.</translation>
     </message>
     <message>
         <source>The wall W counts as a second body of infinite mass at rest; the line of centres stands square on it.</source>
-        <translation>벽 W는 정지해 있는 질량이 무한대인 둘째 물체로 봅니다. 중심선은 벽에 수직입니다.</translation>
+        <translation>벽 W는 질량이 무한대이고 정지해 있는 둘째 물체로 봅니다. 중심선은 벽에 수직입니다.</translation>
     </message>
 </context>
 <context>
@@ -759,7 +759,7 @@
     </message>
     <message>
         <source>Shown are the first %1 of %2 bodies.</source>
-        <translation>물체 %2개 중 처음 %1개만 보입니다.</translation>
+        <translation>물체 %2개 중 처음 %1개만 표시합니다.</translation>
     </message>
 </context>
 <context>
@@ -892,7 +892,7 @@
     </message>
     <message>
         <source>Bodies</source>
-        <translation>부딪친 물체</translation>
+        <translation>충돌한 물체</translation>
     </message>
 </context>
 <context>
@@ -903,7 +903,7 @@
     </message>
     <message>
         <source>How contacts are found: exactly, from one to the next, or by the paper&apos;s loop, which moves everything by a fixed step and then tests for overlap</source>
-        <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 계산하거나, 논문의 반복문처럼 일정한 시간 간격으로 옮긴 뒤 겹침을 검사합니다.</translation>
+        <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 구하거나, 논문의 반복 계산처럼 일정한 시간 간격마다 물체를 옮긴 뒤 겹쳤는지 검사합니다.</translation>
     </message>
     <message>
         <source>Exact (next event)</source>
@@ -911,11 +911,11 @@
     </message>
     <message>
         <source>Paper&apos;s loop, %1, approaching only</source>
-        <translation>논문의 반복문, %1, 접근할 때만</translation>
+        <translation>논문의 반복 계산, %1, 다가갈 때만</translation>
     </message>
     <message>
         <source>Paper&apos;s loop, %1</source>
-        <translation>논문의 반복문, %1</translation>
+        <translation>논문의 반복 계산, %1</translation>
     </message>
 </context>
 <context>
@@ -945,11 +945,11 @@
     </message>
     <message>
         <source>Direction %1° from the x axis</source>
-        <translation>방향 x축에서 %1°</translation>
+        <translation>방향 %1° (x축 기준)</translation>
     </message>
     <message>
         <source>At rest</source>
-        <translation>정지 상태</translation>
+        <translation>정지</translation>
     </message>
     <message>
         <source>Click: open its next collision</source>
@@ -964,7 +964,7 @@
     </message>
     <message>
         <source>The whole lane; click where the close-up is to look</source>
-        <translation>레인 전체입니다. 누른 곳을 옆 화면에서 크게 봅니다</translation>
+        <translation>레인 전체입니다. 누른 곳을 옆 화면에서 크게 보여 줍니다</translation>
     </message>
 </context>
 <context>
@@ -1212,18 +1212,18 @@
     </message>
     <message>
         <source>Change a velocity or a position so that two bodies meet.</source>
-        <translation>두 물체가 만나도록 속도나 위치를 바꾸어 봅시다.</translation>
+        <translation>두 물체가 충돌하도록 속도나 위치를 바꾸어 봅시다.</translation>
     </message>
 </context>
 <context>
     <name>thetalane::ThrowPanel</name>
     <message>
-        <source>Weight</source>
-        <translation>볼 무게</translation>
+        <source>Ball mass</source>
+        <translation>볼링공 질량</translation>
     </message>
     <message>
         <source>Mass of the ball: more than 0, at most 7.26 kg</source>
-        <translation>볼의 질량. 0보다 크고 7.26 kg 이하여야 합니다.</translation>
+        <translation>볼링공의 질량. 0보다 크고 7.26 kg 이하여야 합니다.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -1239,7 +1239,7 @@
     </message>
     <message>
         <source>Angle from straight down the lane, positive to the right</source>
-        <translation>레인 방향에서 잰 각. 오른쪽이 양의 방향입니다.</translation>
+        <translation>레인 방향을 기준으로 잰 각. 오른쪽이 양의 방향입니다.</translation>
     </message>
     <message>
         <source>Position</source>
@@ -1247,7 +1247,7 @@
     </message>
     <message>
         <source>The ball&apos;s centre at the foul line, from the middle, positive to the right; boards are counted from the right</source>
-        <translation>파울 라인에서 볼 중심의 위치. 레인 가운데에서 재며 오른쪽이 양의 방향입니다. 보드는 오른쪽부터 셉니다.</translation>
+        <translation>파울 라인에서 볼링공 중심의 위치. 레인 가운데에서 재며 오른쪽이 양의 방향입니다. 보드는 오른쪽부터 셉니다.</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -1263,7 +1263,7 @@
     </message>
     <message>
         <source>From a forward roll, positive hooks to the left</source>
-        <translation>앞으로 구르는 회전에서 잰 각. 양수이면 왼쪽으로 휩니다.</translation>
+        <translation>앞으로 구르는 회전을 기준으로 잰 각. 양수이면 왼쪽으로 휩니다.</translation>
     </message>
     <message>
         <source>Coefficient of restitution e</source>
@@ -1271,7 +1271,7 @@
     </message>
     <message>
         <source>Between ball and pins, and pins and pins</source>
-        <translation>볼과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
+        <translation>볼링공과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
     </message>
     <message>
         <source>Rotation takes effect when the lane has friction.</source>
@@ -1283,7 +1283,7 @@
     </message>
     <message>
         <source>Throw the ball from the foul line</source>
-        <translation>파울 라인에서 볼을 던집니다.</translation>
+        <translation>파울 라인에서 볼링공을 던집니다.</translation>
     </message>
     <message>
         <source>Default throw</source>

@@ -165,7 +165,7 @@ QString Appearance::styleSheet() const {
                        padding: @halfpx @unitpx; min-height: @tappx; }
         QTabBar::tab:selected { color: @text; border-bottom: @barpx solid @accent; }
         QTabBar::tab:hover { color: @text; }
-        QTabBar::tab:focus { color: @accent; }
+        QTabBar::tab:focus { color: @accent; background: @hover; }
         QToolButton { background: transparent; border: 1px solid transparent; border-radius: 4px;
                       padding: @halfpx; min-height: @tappx; }
         QToolButton:hover { background: @hover; }

@@ -13,6 +13,7 @@
 #include "ui/steps/step_panel.h"
 #include "ui/words/scene_text.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QApplication>
@@ -44,7 +45,13 @@ enum Tab { StepsTab, CollisionsTab, AttributesTab };
 // Whether a widget with the focus uses the arrow keys itself.
 bool usesArrows(const QWidget* w) {
     return qobject_cast<const QLineEdit*>(w) || qobject_cast<const QAbstractItemView*>(w) ||
-           qobject_cast<const QComboBox*>(w) || qobject_cast<const QAbstractSlider*>(w);
+           qobject_cast<const QComboBox*>(w) || qobject_cast<const QAbstractSlider*>(w) ||
+           qobject_cast<const QTabBar*>(w);
+}
+
+// Whether the space bar presses the widget with the focus; only the Tab key brings the focus there.
+bool usesSpace(const QWidget* w) {
+    return qobject_cast<const QAbstractButton*>(w) || qobject_cast<const QComboBox*>(w);
 }
 
 QToolButton* barButton(const char* name, QWidget* parent) {
@@ -76,15 +83,15 @@ MainWindow::MainWindow(const Context& context, Language& language, QWidget* pare
             [this](const std::shared_ptr<const Run>& run) { showPanelsFor(*run); });
     connect(&m_context.playhead, &Playhead::selectionChanged, this, &MainWindow::openSelection);
     connect(&m_context.appearance, &Appearance::changed, this, &MainWindow::applyAppearance);
-    applyAppearance();
+    // Once more, now that every widget stands in its place: under a style sheet Qt takes a font away from a
+    // widget that gets another parent.
+    emit m_context.appearance.changed();
     retranslate();
     showPanelsFor(*m_context.session.run());
     m_lane->setFocus();
 }
 
-MainWindow::~MainWindow() {
-    disconnect(qApp, nullptr, this, nullptr); // the focus still changes while the shortcuts go
-}
+MainWindow::~MainWindow() = default;
 
 void MainWindow::buildTopBar() {
     m_topBar = new QWidget(this);
@@ -154,35 +161,34 @@ void MainWindow::buildCentre() {
     setCentralWidget(centre);
 }
 
-void MainWindow::addShortcut(const QKeySequence& keys, std::function<void()> action, bool giveWay) {
+void MainWindow::addShortcut(const QKeySequence& keys, std::function<void()> action,
+                             bool (*givesWayTo)(const QWidget*)) {
     auto* shortcut = new QShortcut(keys, this);
     connect(shortcut, &QShortcut::activated, this, std::move(action));
-    if (giveWay)
-        m_givingWay.push_back(shortcut);
+    if (givesWayTo)
+        connect(qApp, &QApplication::focusChanged, shortcut,
+                [=](QWidget*, QWidget* now) { shortcut->setEnabled(!givesWayTo(now)); });
 }
 
 void MainWindow::buildShortcuts() {
     Playhead& playhead = m_context.playhead;
-    addShortcut(Qt::Key_Space, [&playhead] { playhead.togglePlaying(); });
     addShortcut(
-        Qt::Key_Left, [&playhead] { playhead.stepFrames(-1); }, true);
+        Qt::Key_Space, [&playhead] { playhead.togglePlaying(); }, usesSpace);
     addShortcut(
-        Qt::Key_Right, [&playhead] { playhead.stepFrames(+1); }, true);
+        Qt::Key_Left, [&playhead] { playhead.stepFrames(-1); }, usesArrows);
+    addShortcut(
+        Qt::Key_Right, [&playhead] { playhead.stepFrames(+1); }, usesArrows);
     addShortcut(Qt::CTRL | Qt::Key_Left, [&playhead] { playhead.stepCollisions(-1); });
     addShortcut(Qt::CTRL | Qt::Key_Right, [&playhead] { playhead.stepCollisions(+1); });
     addShortcut(
-        Qt::Key_Up, [&playhead] { playhead.stepStage(-1); }, true);
+        Qt::Key_Up, [&playhead] { playhead.stepStage(-1); }, usesArrows);
     addShortcut(
-        Qt::Key_Down, [&playhead] { playhead.stepStage(+1); }, true);
+        Qt::Key_Down, [&playhead] { playhead.stepStage(+1); }, usesArrows);
     addShortcut(Qt::Key_Escape, [&playhead] { playhead.clearSelection(); });
     addShortcut(Qt::Key_R, [this] { m_context.session.reset(); });
     addShortcut(Qt::Key_F11, [this] { setProjector(!m_context.appearance.projector()); });
     addShortcut(Qt::Key_L, [this] { toggleLanguage(); });
     addShortcut(QKeySequence::Open, [this] { chooseFile(); });
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        for (QShortcut* s : m_givingWay)
-            s->setEnabled(!usesArrows(now));
-    });
 }
 
 void MainWindow::toggleLanguage() {
@@ -203,10 +209,10 @@ void MainWindow::openFile(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return m_message->showError(name + ": " + file.errorString());
+        return m_message->showError([text = name + ": " + file.errorString()] { return text; });
     const auto result = readScene(file.readAll());
     if (const auto* errors = std::get_if<std::vector<SceneError>>(&result))
-        return m_message->showError(name + ": " + sceneErrorText(errors->front()));
+        return m_message->showError([name, e = errors->front()] { return name + ": " + sceneErrorText(e); });
     m_message->hide();
     m_context.session.open(std::get<Scene>(result));
 }

@@ -7,9 +7,7 @@
 #include <QMainWindow>
 
 #include <functional>
-#include <vector>
 
-class QShortcut;
 class QSplitter;
 class QStackedWidget;
 class QTabWidget;
@@ -51,7 +49,9 @@ private:
     void buildTopBar();
     void buildCentre();
     void buildShortcuts();
-    void addShortcut(const QKeySequence& keys, std::function<void()> action, bool giveWay = false);
+    // givesWayTo: says which widget with the focus has the key itself.
+    void addShortcut(const QKeySequence& keys, std::function<void()> action,
+                     bool (*givesWayTo)(const QWidget*) = nullptr);
     void retranslate();
     void applyAppearance();
     void styleApplication();
@@ -76,7 +76,6 @@ private:
     QStackedWidget* m_attributes = nullptr; // the bodies', or the throw's
     BodiesPanel* m_bodies = nullptr;
     ThrowPanel* m_throw = nullptr;
-    std::vector<QShortcut*> m_givingWay; // arrows: a field or a list with the focus has them first
 };
 
 } // namespace thetalane

@@ -17,6 +17,8 @@ MessageBar::MessageBar(const Context& context, QWidget* parent)
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_close->setObjectName("closeMessage");
+    m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setText(QStringLiteral("✕"));
     auto* layout = new QHBoxLayout(this);
     layout->addWidget(m_text, 1);
@@ -29,9 +31,9 @@ MessageBar::MessageBar(const Context& context, QWidget* parent)
     hide();
 }
 
-void MessageBar::showError(const QString& text) {
-    m_text->setText(text);
-    m_text->setAccessibleName(text);
+void MessageBar::showError(std::function<QString()> text) {
+    m_error = std::move(text);
+    retranslate();
     show();
 }
 
@@ -42,6 +44,9 @@ void MessageBar::changeEvent(QEvent* event) {
 }
 
 void MessageBar::retranslate() {
+    if (m_error)
+        m_text->setText(m_error());
+    m_text->setAccessibleName(m_text->text());
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(tr("Close this message"));
 }

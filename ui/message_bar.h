@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+#include <functional>
+
 class QLabel;
 class QToolButton;
 
@@ -15,7 +17,8 @@ class MessageBar : public QFrame {
 public:
     explicit MessageBar(const Context& context, QWidget* parent = nullptr);
 
-    void showError(const QString& text);
+    // Asked for again when the language changes.
+    void showError(std::function<QString()> text);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -26,6 +29,7 @@ private:
 
     Appearance& m_appearance;
     QLabel* m_text;
+    std::function<QString()> m_error;
     QToolButton* m_close;
 };
 

@@ -82,7 +82,7 @@ void LaneScene::rebuild() {
     const QRectF world = whole.adjusted(-margin, -margin, margin, margin);
     setSceneRect(world);
     m_paths->build(*m_run, until, inks);
-    m_velocities->setUp(inks, m_metresPerSpeed, 1e-3 * speed, world);
+    m_velocities->setUp(scene.bodies, inks, m_metresPerSpeed, 1e-3 * speed, world);
     showTime(m_context.playhead.time());
     showSelection();
     emit rebuilt();

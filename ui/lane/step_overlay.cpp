@@ -25,20 +25,20 @@ public:
         , m_s(collision.steps)
         , m_xAxis{m_s.contact.cosTheta, m_s.contact.sinTheta}
         , m_yAxis{-m_s.contact.sinTheta, m_s.contact.cosTheta} {
-        m_names[0] = bodyName(scene, m_c.first);
-        if (!m_c.isWall())
-            m_names[1] = bodyName(scene, m_c.second);
+        m_indices[0] = indexName(scene, m_c.first);
+        m_indices[1] = indexName(scene, m_c.second);
         double fastest = 0;
         for (const auto& pair : {m_s.before, m_s.after})
             fastest = std::max({fastest, norm(pair.first), norm(pair.second)});
         m_o.metresPerSpeed = fastest > 0 ? 0.57 * overlayReach(m_c) / fastest : 0;
         const double reach = m_s.first.radius + m_s.second.radius;
         m_o.contact = m_s.second.position + m_xAxis * (m_s.contact.Z * m_s.second.radius / reach);
-        m_o.discs.push_back({m_s.first.position, m_s.first.radius, m_names[0], Ink::First});
+        m_o.discs.push_back({m_s.first.position, m_s.first.radius, bodyName(scene, m_c.first), Ink::First});
         if (m_c.isWall())
             m_o.wall = m_c.side;
         else
-            m_o.discs.push_back({m_s.second.position, m_s.second.radius, m_names[1], Ink::Second});
+            m_o.discs.push_back(
+                {m_s.second.position, m_s.second.radius, bodyName(scene, m_c.second), Ink::Second});
     }
 
     StepOverlay build(Stage stage) {
@@ -62,7 +62,9 @@ private:
         return m_o.arrows.back();
     }
     OverlayLabel speed(int body, const QString& axis, double value) const {
-        return named(QStringLiteral("v"), m_names[body] + axis, value, QStringLiteral(" m/s"));
+        const QString& name = m_indices[body];
+        const bool comma = name.size() > 1 && !axis.isEmpty(); // v_ball,x but v_Ax, as on the cards
+        return named(QStringLiteral("v"), name + (comma ? "," : "") + axis, value, QStringLiteral(" m/s"));
     }
     void theta(const Vec2d& centre, double radius) {
         const double angle = std::atan2(m_s.contact.sinTheta, m_s.contact.cosTheta);
@@ -200,7 +202,7 @@ private:
     const PairCollision<double>& m_s;
     Vec2d m_xAxis;
     Vec2d m_yAxis;
-    QString m_names[2];
+    QString m_indices[2];
     StepOverlay m_o;
 };
 

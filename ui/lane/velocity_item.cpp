@@ -16,8 +16,12 @@ VelocityItem::VelocityItem(const Appearance& appearance, const std::vector<BodyS
     setZValue(3);
 }
 
-void VelocityItem::setUp(std::vector<Ink> inks, double metresPerSpeed, double slowest, const QRectF& bounds) {
+void VelocityItem::setUp(const std::vector<Body>& bodies, std::vector<Ink> inks, double metresPerSpeed,
+                         double slowest, const QRectF& bounds) {
     prepareGeometryChange();
+    m_radii.clear();
+    for (const Body& body : bodies)
+        m_radii.push_back(body.radius);
     m_inks = std::move(inks);
     m_metresPerSpeed = metresPerSpeed;
     m_slowest = slowest;
@@ -35,8 +39,9 @@ void VelocityItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
         QColor colour = plain ? m_appearance.text() : m_appearance.textInk(m_inks[i]);
         if (state.place != Place::Play)
             colour = faded(colour, 0.42);
-        paintArrow(*painter, pixels.at(state.position),
-                   pixels.at(state.position + state.velocity * m_metresPerSpeed),
+        // From the rim on: its length is the speed's, and the body's name stays free.
+        const Vec2d rim = state.position + state.velocity * (m_radii[i] / speed);
+        paintArrow(*painter, pixels.at(rim), pixels.at(rim + state.velocity * m_metresPerSpeed),
                    {colour, m_appearance.lineWidth(), false});
     }
 }

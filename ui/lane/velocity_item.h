@@ -15,7 +15,8 @@ public:
     VelocityItem(const Appearance& appearance, const std::vector<BodyState>& states);
 
     // metresPerSpeed: length of 1 m/s [m/(m/s)]; slowest: below it there is no arrow [m/s].
-    void setUp(std::vector<Ink> inks, double metresPerSpeed, double slowest, const QRectF& bounds);
+    void setUp(const std::vector<Body>& bodies, std::vector<Ink> inks, double metresPerSpeed, double slowest,
+               const QRectF& bounds);
 
     QRectF boundingRect() const override { return m_bounds; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -23,6 +24,7 @@ public:
 private:
     const Appearance& m_appearance;
     const std::vector<BodyState>& m_states; // the scene's, at the present time
+    std::vector<double> m_radii;            // [m]
     std::vector<Ink> m_inks;
     double m_metresPerSpeed = 0;
     double m_slowest = 0;

@@ -48,6 +48,7 @@ EngineChooser::EngineChooser(const Context& context, QWidget* parent)
     : Panel(context, parent)
     , m_combo(new QComboBox(this)) {
     m_combo->setObjectName(QStringLiteral("engineCombo"));
+    m_combo->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the lane
     for (std::size_t i = 0; i < choices.size(); ++i)
         m_combo->addItem({});
     auto* layout = new QGridLayout(this);

@@ -156,6 +156,10 @@ bool NumberField::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        event->ignore(); // no number has a space in it: the bar plays and pauses here too
+        return true;
+    }
     if (event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (keyPressed(key->key(), key->modifiers()))

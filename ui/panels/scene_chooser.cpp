@@ -36,6 +36,7 @@ SceneChooser::SceneChooser(const Context& context, QWidget* parent)
     , m_button(new QPushButton(this))
     , m_menu(new QMenu(this)) {
     m_button->setObjectName(QStringLiteral("sceneButton"));
+    m_button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the lane
     m_button->setMenu(m_menu);
     m_menu->setObjectName(QStringLiteral("sceneMenu"));
     m_button->setProperty("chooser", true);

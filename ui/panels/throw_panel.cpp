@@ -112,6 +112,9 @@ void ThrowPanel::makeRows() {
 
 void ThrowPanel::makeButtons(QVBoxLayout& layout) {
     m_throwButton->setObjectName(QStringLiteral("throwButton"));
+    // A click leaves the focus, and with it the space bar, where it is.
+    m_throwButton->setFocusPolicy(Qt::TabFocus);
+    m_default->setFocusPolicy(Qt::TabFocus);
     m_throwButton->setProperty("prominent", true);
     m_default->setObjectName(QStringLiteral("defaultThrowButton"));
     m_default->setProperty("quiet", true);
@@ -127,7 +130,7 @@ void ThrowPanel::retranslate() {
     const auto say = [this](Row row, const QString& label, const QString& toolTip) {
         m_rows[row]->setWords(label, toolTip);
     };
-    say(Mass, tr("Weight"), tr("Mass of the ball: more than 0, at most 7.26 kg"));
+    say(Mass, tr("Ball mass"), tr("Mass of the ball: more than 0, at most 7.26 kg"));
     say(Speed, tr("Speed"), tr("Speed at the foul line: more than 0, at most 100 m/s"));
     say(Direction, tr("Direction"), tr("Angle from straight down the lane, positive to the right"));
     say(Position, tr("Position"),

@@ -77,6 +77,10 @@ void StepCard::setOpen(bool open, bool animated) {
     update();
 }
 
+void StepCard::setPageHeight(int page) {
+    m_figure->setMostHeight(page * 2 / 5);
+}
+
 int StepCard::bodyHeight(int width) const {
     const int unit = m_appearance.unit();
     const int inner = width - 4 * unit;

@@ -20,6 +20,9 @@ public:
     void setOpen(bool open, bool animated);
     void setStep(const WorkedStep& step, std::shared_ptr<const Run> run, std::size_t collision);
 
+    // How much is seen of it at once [px]: the figure leaves room for the first formulas.
+    void setPageHeight(int page);
+
     int headerHeight() const { return m_header->sizeHint().height(); }
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;

@@ -30,7 +30,8 @@ void StepFigure::setCollision(std::shared_ptr<const Run> run, std::size_t collis
 
 int StepFigure::heightForWidth(int width) const {
     const int em = m_appearance.pixels(Appearance::Size::Normal);
-    return std::clamp(width * 55 / 100, 16 * em, 21 * em);
+    const int wanted = std::clamp(width * 55 / 100, 16 * em, 21 * em);
+    return std::min(wanted, std::max(m_mostHeight, 9 * em)); // lower, its labels would not find room
 }
 
 QSize StepFigure::sizeHint() const {

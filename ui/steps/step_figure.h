@@ -24,6 +24,9 @@ public:
     // The run is kept, so that the collision in it stays valid.
     void setCollision(std::shared_ptr<const Run> run, std::size_t collision);
 
+    // At most so high [px], so that the formulas below it are seen without scrolling.
+    void setMostHeight(int most) { m_mostHeight = most; }
+
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;
@@ -40,6 +43,7 @@ private:
     Stage m_stage;
     std::shared_ptr<const Run> m_run;
     std::size_t m_collision = 0;
+    int m_mostHeight = QWIDGETSIZE_MAX;
     std::optional<FigureCanvas> m_canvas; // as last drawn; placing the labels takes its time
 };
 

@@ -160,11 +160,12 @@ void StepPanel::applyAppearance() {
     m_go->setMinimumHeight(6 * unit);
     m_go->setStyleSheet(
         QStringLiteral("QPushButton { color: %1; background: %2; border: none; border-radius: %3px;"
-                       " padding: 0 %4px; } QPushButton:hover, QPushButton:focus { background: %5; }")
+                       " padding: 0 %4px; } QPushButton:hover { background: %5; }"
+                       " QPushButton:focus { background: %5; border: 2px solid %6; }")
             .arg(m_appearance.card().name(), m_appearance.accent().name())
             .arg(unit / 2)
             .arg(3 * unit)
-            .arg(m_appearance.accent().darker(120).name()));
+            .arg(m_appearance.accent().darker(120).name(), m_appearance.text().name()));
     m_hint->setStyleSheet(QStringLiteral("color: %1").arg(m_appearance.quietText().name()));
     for (QToolButton* b : {m_previous, m_next}) {
         const int side = m_appearance.projector() ? 50 : 34;
@@ -274,6 +275,7 @@ void StepPanel::arrangeCards() {
     int top = 0;
     int bottom = 0;
     for (StepCard* card : m_cards) {
+        card->setPageHeight(page);
         const int height = card->heightForWidth(width);
         card->setGeometry(0, y, width, height);
         if (card->isOpen()) {
