@@ -7,6 +7,7 @@
 #include "core/math/quad.h"
 #include "core/timeline/recorder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -36,7 +37,7 @@ public:
         // A whole number of steps that misses `until` by rounding alone is meant to reach it.
         const auto steps = std::int64_t(m_settings.until / m_settings.step * (1 + 1e-12));
         for (std::int64_t k = 1; k <= steps; ++k) {
-            const double time = double(k) * m_settings.step;
+            const double time = std::min(double(k) * m_settings.step, m_settings.until); // 3 · 0.1 > 0.3
             for (Disc<Real>& d : m_discs)
                 d.position = d.position + d.velocity * h;
             const bool full = exchangePairs(time) || (m_hasFrame && exchangeWithWalls(time));

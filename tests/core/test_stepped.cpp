@@ -207,6 +207,19 @@ private slots:
         QCOMPARE(runOf(scene, eventSettings(0.5)).collisionCount(), 1);
     }
 
+    // 3 · 0.1 is more than 0.3: the last step's exchange still belongs to the run.
+    void theLastStepIsInTheEnd() {
+        Scene scene = facing(0.25, 1, 0, 1);
+        const EngineSettings settings = steppedSettings(0.3, 0.1);
+        const Timeline t = runOf(scene, settings);
+        QCOMPARE(t.collisionCount(), 1);
+        QVERIFY(t.collisions()[0].time <= t.endTime());
+        QCOMPARE(t.stateAt(t.endTime())[0].velocity, t.collisions()[0].steps.after.first);
+        EngineSettings summary = settings;
+        summary.keepDetail = false;
+        QCOMPARE(runOf(scene, summary).stateAt(0.3), t.stateAt(0.3));
+    }
+
     // Fault 3: a pair in deep overlap stays together, exchanged at every step.
     void sticking() {
         Scene scene = facing(0.001, 1, 0, 0.2);
