@@ -1,0 +1,146 @@
+// When two discs whose motion is quadratic in time will touch and approach.
+#pragma once
+
+#include "core/math/roots.h"
+#include "core/math/vec2.h"
+#include "core/motion/impact.h"
+
+#include <limits>
+
+namespace thetalane {
+
+// One disc relative to the other: p + v t + ½ a t² [m, m/s, m/s²].
+template <class Real> struct RelativeMotion {
+    Vec2<Real> p, v, a;
+    Real reach2{}; // (rA + rB)²
+    Real noise{};  // reach × the approach speed that is no more than rounding [m²/s]
+
+    Vec2<Real> at(const Real& t) const { return p + (v + a * (t / 2)) * t; }
+    Vec2<Real> velocityAt(const Real& t) const { return v + a * t; }
+    // Positive while apart: |Δp|² - reach².
+    Real gap(const Real& t) const {
+        const Vec2<Real> q = at(t);
+        return dot(q, q) - reach2;
+    }
+    // Half the gap's derivative, and the noise: negative while they approach by more than that.
+    Real rate(const Real& t) const { return dot(at(t), velocityAt(t)) + noise; }
+    // The zeros of the rate's derivative |v|² + p·a + 3 (v·a) t + (3/2)|a|² t², within [0, end]: the rate
+    // rises before the first, falls between them, rises after the second.
+    Ordered<Real> turns(const Real& end) const {
+        return quadraticZeros<Real>(Real(1.5) * dot(a, a), 3 * dot(v, a), dot(v, v) + dot(p, a), Real(0),
+                                    end);
+    }
+};
+
+// Certainly no impact within `end`, told by bounds alone. P(t) is at least as far away as its part along any
+// direction: along the line of centres now, and across the velocity, where only ½ a t² moves it.
+template <class Real>
+bool staysApart(const Vec2<Real>& p, const Vec2<Real>& v, const Vec2<Real>& a, const Real& reach2,
+                const Real& end) {
+    const Real zero(0);
+    const auto fall = [&zero](const Real& x) { return x < zero ? x : zero; };
+    const Real end2 = end * end, distance2 = dot(p, p), speed2 = dot(v, v);
+    const Real pv = dot(p, v), pa = dot(p, a);
+    const Real along = distance2 + fall(pv * end) + fall(pa * end2 / 2);
+    const Real across = cross(v, p), acrossLast = across + cross(v, a) * end2 / 2;
+    const Real passing = reach2 * speed2;
+    const bool tooFar = (along > zero) & (along * along > reach2 * distance2);
+    const bool passes =
+        (across * acrossLast > zero) & (across * across > passing) & (acrossLast * acrossLast > passing);
+    // P·V is p·v + (|v|² + p·a) t + (3/2)(v·a) t² + ½|a|² t³.
+    const bool parts = pv + fall((speed2 + pa) * end) + fall(Real(1.5) * dot(v, a) * end2) > zero;
+    return tooFar | passes | parts;
+}
+
+// The end of a piece over which the rate rises (sign +1) or falls (-1) through zero.
+template <class Real>
+Real zeroOfRate(const RelativeMotion<Real>& m, const Real& low, const Real& high, const Real& start,
+                int sign) {
+    return bracketedZero<Real>(low, high, start, [&m, sign](const Real& t) {
+        const Vec2<Real> q = m.at(t), w = m.velocityAt(t);
+        const Real rate = dot(q, w) + m.noise, slope = dot(w, w) + dot(q, m.a);
+        return Sight<Real>{sign > 0 ? rate < Real(0) : rate > Real(0), rate == Real(0), t - rate / slope};
+    });
+}
+
+// They approach from `from` to `to`. Each guess takes the velocity as constant and meets the circle exactly.
+template <class Real> Real impactWithin(const RelativeMotion<Real>& m, const Real& from, const Real& to) {
+    using std::sqrt;
+    const Real zero(0), rounding = std::numeric_limits<Real>::epsilon() * m.reach2;
+    if (m.gap(from) <= zero)
+        return from;
+    if (!(m.gap(to) < zero))
+        return std::numeric_limits<Real>::infinity();
+    return bracketedZero<Real>(from, to, from, [&](const Real& t) {
+        const Vec2<Real> q = m.at(t), w = m.velocityAt(t);
+        const Real gap = dot(q, q) - m.reach2, side = cross(q, w);
+        const Real discriminant = dot(w, w) * m.reach2 - side * side;
+        const Real guess = t + gap / (sqrt(discriminant > zero ? discriminant : zero) - dot(q, w));
+        return Sight<Real>{gap > zero, gap <= rounding && -gap <= rounding, guess};
+    });
+}
+
+// Over the pieces on which they approach (at most two, for the rate is a cubic that rises in the end), the
+// first impact.
+template <class Real> Real firstImpact(const RelativeMotion<Real>& m, const Real& end) {
+    const Real zero(0), never = std::numeric_limits<Real>::infinity();
+    const auto [crest, trough] = m.turns(end);
+    const bool pausesAtCrest = !(m.rate(crest) < zero);
+    Real from = zero;
+    if (pausesAtCrest) {
+        if (m.rate(zero) < zero) {
+            const Real in = impactWithin(m, zero, zeroOfRate<Real>(m, zero, crest, zero, +1));
+            if (in < never)
+                return in;
+        }
+        if (!(m.rate(trough) < zero))
+            return never;
+        from = zeroOfRate<Real>(m, crest, trough, crest + (trough - crest) / 2, -1);
+    }
+    if (m.gap(trough) < zero)
+        return impactWithin(m, from, trough);
+    const bool toTheEnd = !(m.rate(end) > zero);
+    return impactWithin(m, from, toTheEnd ? end : zeroOfRate<Real>(m, trough, end, end, +1));
+}
+
+// No root lies later: ½|a| t² <= |p| + reach + |v| t.
+template <class Real> Real lastPossible(const RelativeMotion<Real>& m, const Real& reach) {
+    using std::sqrt;
+    const Real a = norm(m.a), v = norm(m.v);
+    return 2 * (v + sqrt(v * v + 2 * a * (norm(m.p) + reach))) / a;
+}
+
+// The smallest t in [0, horizon] at which the two touch (or overlap) and approach by more than the rounding
+// of their velocities; infinity for never. The same conventions as timeToImpact() in core/motion/impact.h,
+// and its very bits when da = 0. A touch at the horizon itself may be left to the stretch that follows, where
+// it is 0. dp, dv, da: of one disc relative to the other, now; reach: the sum of the radii [m]; speed2: |vA|²
+// + |vB|².
+//
+// Two that rest against each other and are pressed together are reported when their approach has risen to
+// twice the noise: a contact that lasts is a run of such impacts, and for its keeper to recognise.
+template <class Real>
+Real timeToImpact(const Vec2<Real>& dp, const Vec2<Real>& dv, const Vec2<Real>& da, const Real& reach,
+                  const Real& speed2, const Real& horizon) {
+    using std::sqrt;
+    const Real zero(0), never = std::numeric_limits<Real>::infinity();
+    const Real acceleration2 = dot(da, da);
+    if (acceleration2 == zero) {
+        const Real in = timeToImpact<Real>(dp, dv, reach, speed2);
+        return in <= horizon ? in : never;
+    }
+    const Real reach2 = reach * reach;
+    // Else the horizon is so far that its powers overflow.
+    const bool bounded = (acceleration2 * horizon * horizon + dot(dv, dv)) * horizon * horizon < never;
+    if (bounded && staysApart<Real>(dp, dv, da, reach2, horizon))
+        return never;
+    const Real closing = dot(dp, dv), distance2 = dot(dp, dp);
+    const Real noise2 = approachNoise<Real>() * approachNoise<Real>();
+    if (distance2 <= reach2 && closing < zero && closing * closing > noise2 * speed2 * distance2)
+        return zero;
+    // √(|a| reach): the speed that the acceleration makes over their reach; velocities round by that, too.
+    const Real noise = 2 * sqrt(noise2 * (speed2 + sqrt(acceleration2) * reach)) * reach;
+    const RelativeMotion<Real> motion{dp, dv, da, reach2, noise};
+    return firstImpact<Real>(motion, bounded ? horizon : lastPossible<Real>(motion, reach));
+}
+
+} // namespace thetalane
