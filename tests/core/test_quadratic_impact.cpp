@@ -155,7 +155,7 @@ private slots:
 };
 
 void TestQuadraticImpact::hundredThousandCases() {
-    constexpr int each = 30'000;
+    constexpr int each = 15'000;
     int cases = 0, bad = 0;
     qInfo("| category | cases | impacts | missed | false | wrong root | within rounding | time, relative | "
           "time × approach, ε scale | gap, ε scale |");
