@@ -36,8 +36,9 @@ template <class Real> struct Sight {
 };
 
 // The one zero between low and high, starting at t: the guesses as long as they stay between and their steps
-// halve, else the middle (Dekker and Brent's safeguard).
-template <class Real, class Look> Real bracketedZero(Real low, Real high, Real t, const Look& look) {
+// halve, else the middle (Dekker and Brent's safeguard); until a step is less than `little` of t.
+template <class Real, class Look>
+Real bracketedZero(Real low, Real high, Real t, const Real& little, const Look& look) {
     using std::abs;
     using Limits = std::numeric_limits<Real>;
     Real step = high - low, stepBefore = step;
@@ -47,7 +48,7 @@ template <class Real, class Look> Real bracketedZero(Real low, Real high, Real t
         Real to = seen.guess;
         if (seen.settled)
             return t;
-        if (abs(to - t) <= Limits::epsilon() * t)
+        if (abs(to - t) <= little * t)
             return std::clamp<Real>(to, low, high);
         if (!(to > low && to < high && 2 * abs(to - t) <= stepBefore))
             to = low + (high - low) / 2;

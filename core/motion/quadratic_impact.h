@@ -52,26 +52,36 @@ bool staysApart(const Vec2<Real>& p, const Vec2<Real>& v, const Vec2<Real>& a, c
     return tooFar | passes | parts;
 }
 
-// The end of a piece over which the rate rises (sign +1) or falls (-1) through zero.
+// Where the rate rises (sign +1) or falls (-1) through zero. Newton squares an error: half the digits
+// suffice.
 template <class Real>
 Real zeroOfRate(const RelativeMotion<Real>& m, const Real& low, const Real& high, const Real& start,
                 int sign) {
-    return bracketedZero<Real>(low, high, start, [&m, sign](const Real& t) {
+    using std::sqrt;
+    const Real little = sqrt(std::numeric_limits<Real>::epsilon());
+    return bracketedZero<Real>(low, high, start, little, [&m, sign](const Real& t) {
         const Vec2<Real> q = m.at(t), w = m.velocityAt(t);
         const Real rate = dot(q, w) + m.noise, slope = dot(w, w) + dot(q, m.a);
         return Sight<Real>{sign > 0 ? rate < Real(0) : rate > Real(0), rate == Real(0), t - rate / slope};
     });
 }
 
+// Where they would be closest without acceleration, if that is between, else `high`.
+template <class Real> Real closestWithout(const RelativeMotion<Real>& m, const Real& low, const Real& high) {
+    const Real t = -dot(m.p, m.v) / dot(m.v, m.v);
+    return t > low && t < high ? t : high;
+}
+
 // They approach from `from` to `to`. Each guess takes the velocity as constant and meets the circle exactly.
 template <class Real> Real impactWithin(const RelativeMotion<Real>& m, const Real& from, const Real& to) {
     using std::sqrt;
-    const Real zero(0), rounding = std::numeric_limits<Real>::epsilon() * m.reach2;
+    const Real zero(0), epsilon = std::numeric_limits<Real>::epsilon();
+    const Real rounding = epsilon * m.reach2;
     if (m.gap(from) <= zero)
         return from;
     if (!(m.gap(to) < zero))
         return std::numeric_limits<Real>::infinity();
-    return bracketedZero<Real>(from, to, from, [&](const Real& t) {
+    return bracketedZero<Real>(from, to, from, epsilon, [&](const Real& t) {
         const Vec2<Real> q = m.at(t), w = m.velocityAt(t);
         const Real gap = dot(q, q) - m.reach2, side = cross(q, w);
         const Real discriminant = dot(w, w) * m.reach2 - side * side;
@@ -89,7 +99,8 @@ template <class Real> Real firstImpact(const RelativeMotion<Real>& m, const Real
     Real from = zero;
     if (pausesAtCrest) {
         if (m.rate(zero) < zero) {
-            const Real in = impactWithin(m, zero, zeroOfRate<Real>(m, zero, crest, zero, +1));
+            const Real in = impactWithin(
+                m, zero, zeroOfRate<Real>(m, zero, crest, closestWithout<Real>(m, zero, crest), +1));
             if (in < never)
                 return in;
         }
@@ -100,7 +111,8 @@ template <class Real> Real firstImpact(const RelativeMotion<Real>& m, const Real
     if (m.gap(trough) < zero)
         return impactWithin(m, from, trough);
     const bool toTheEnd = !(m.rate(end) > zero);
-    return impactWithin(m, from, toTheEnd ? end : zeroOfRate<Real>(m, trough, end, end, +1));
+    return impactWithin(
+        m, from, toTheEnd ? end : zeroOfRate<Real>(m, trough, end, closestWithout<Real>(m, trough, end), +1));
 }
 
 // No root lies later: ½|a| t² <= |p| + reach + |v| t.
