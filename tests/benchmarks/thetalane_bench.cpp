@@ -4,6 +4,7 @@
 #include "core/engine/engine.h"
 #include "core/scene/bowling_scene.h"
 #include "core/scene/builtin.h"
+#include "tests/benchmarks/prediction_cases.h"
 
 #include <algorithm>
 #include <chrono>
@@ -141,6 +142,24 @@ Case boxCase(const char* name, double until, bool keepDetail) {
             [settings] { sink = sink + double(mustRun(elevenInABox(), settings).collisionCount()); }};
 }
 
+// Time of impact of one pair.
+Case predictionCase(const char* name, testing::ImpactCase (*make)(testing::Random&)) {
+    return {name, "prediction", 4096,
+            [cases = benchmarks::manyCases(make)] { sink = sink + benchmarks::sumOfTimes(cases); }};
+}
+
+void addPredictions(std::vector<Case>& cases) {
+    cases.push_back(predictionCase("time of impact, free pins", benchmarks::freeCase));
+    cases.push_back(predictionCase("time of impact, pins sliding to rest", benchmarks::pinsCase));
+    cases.push_back(predictionCase("time of impact, generic (half are aimed)", testing::genericCase));
+}
+
+void printRejections() {
+    std::printf("of the pairs that never meet, bounds alone turn away: pins %.1f %%, generic %.1f %%\n",
+                100 * benchmarks::rejectedShare(benchmarks::manyCases(benchmarks::pinsCase)),
+                100 * benchmarks::rejectedShare(benchmarks::manyCases(testing::genericCase)));
+}
+
 void print(const std::vector<Case>& cases) {
     std::puts("| what | min | median | of one | against the first |");
     std::puts("|---|---:|---:|---|---:|");
@@ -169,6 +188,7 @@ int main(int argc, char** argv) {
     std::vector<Case> cases = throwCases(quick ? 10 : 500);
     cases.push_back(boxCase("eleven discs in a box, event, double", quick ? 1 : 100, true));
     cases.push_back(boxCase("eleven discs in a box, summary only", quick ? 1 : 100, false));
+    addPredictions(cases);
     cases.push_back(seekCase(seekable));
     for (int r = 0; r < repetitions; ++r)
         for (Case& c : cases)
@@ -177,5 +197,6 @@ int main(int argc, char** argv) {
     const double thousand = median(cases.back().seconds);
     std::printf("\n1,000 random seeks over %lld collisions: %s\n",
                 static_cast<long long>(seekable.collisionCount()), readable(thousand).c_str());
+    printRejections();
     return 0;
 }

@@ -3,33 +3,17 @@
 
 #include "core/engine/engine.h"
 #include "core/scene/validation.h"
+#include "tests/core/random.h"
 
 #include <QtGlobal>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <random>
 
 namespace thetalane::testing {
-
-// std::mt19937_64 is the same everywhere; the standard distributions are not.
-class Random {
-public:
-    explicit Random(std::uint64_t seed)
-        : m_bits(seed) {}
-    double unit() { return double(m_bits() >> 11) * 0x1p-53; }
-    double in(double low, double high) { return low + (high - low) * unit(); }
-    double logUniform(double low, double high) { return low * std::exp(unit() * std::log(high / low)); }
-    int below(int n) { return int(m_bits() % std::uint64_t(n)); }
-    std::uint64_t bits() { return m_bits(); }
-
-private:
-    std::mt19937_64 m_bits;
-};
 
 inline Body disc(int number, double mass, double radius, Vec2d position, Vec2d velocity) {
     return {"d" + std::to_string(number), BodyKind::Ball, mass, radius, position, velocity};
