@@ -5,8 +5,13 @@
 
 namespace thetalane {
 
-Timeline runNextEvent(const Scene& scene, const EngineSettings& settings);
-Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings); // apart: Quad compiles slowly
+// How the next-event engine finds who meets whom, and what happens first.
+enum class SearchKind { ByCount, AllPairs, Cells };
+
+Timeline runNextEvent(const Scene& scene, const EngineSettings& settings,
+                      SearchKind search = SearchKind::ByCount);
+Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings,
+                          SearchKind search); // apart: Quad compiles slowly
 Timeline runStepped(const Scene& scene, const EngineSettings& settings);
 
 } // namespace thetalane
