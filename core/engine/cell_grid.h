@@ -15,11 +15,12 @@ namespace thetalane {
 // over. No more than a few cells a disc, however far apart the discs lie; then the cells are wider.
 template <class Real> class CellGrid {
 public:
-    static constexpr std::uint32_t none = ~std::uint32_t(0);
     struct Range {
         Real low{};
         Real high{};
     };
+
+    std::uint32_t none() const { return m_none; }
 
     // Over a region, for discs of which two touch within `reach`; every list empty.
     void layOut(Range x, Range y, const Real& reach, std::size_t discs) {
@@ -33,9 +34,10 @@ public:
         while (along(x) * along(y) > most)
             width = width * Real(1.2f);
         m_axes = {Axis(x, along(x)), Axis(y, along(y))};
+        m_none = std::uint32_t(discs);
         // A ring of cells that stay empty saves asking for the border.
         m_stride = m_axes[0].count + 2;
-        m_heads.assign(std::size_t(m_stride) * (m_axes[1].count + 2), none);
+        m_heads.assign(std::size_t(m_stride) * (m_axes[1].count + 2), m_none);
     }
 
     struct Axis {
@@ -62,12 +64,10 @@ public:
 
         // Time until something at q with speed v leaves its cell; never through the border.
         Real leavesIn(std::uint32_t cell, const Real& q, const Real& v) const {
-            const Real never = std::numeric_limits<Real>::infinity();
             const bool up = v > 0;
-            if (v == Real(0) || (up ? cell + 1 == count : cell == 0))
-                return never;
             const Real in = (low + width * Real(cell + up) - q) / v;
-            return in > 0 ? in : Real(0);
+            const bool stays = (v == Real(0)) | (up ? cell + 1 == count : cell == 0);
+            return stays ? std::numeric_limits<Real>::infinity() : in > 0 ? in : Real(0);
         }
     };
     const Axis& columns() const { return m_axes[0]; }
@@ -85,16 +85,25 @@ public:
         *link = discs[i].nextInCell;
     }
 
-    // visit(j) for every disc in columns c0…c1 and rows r0…r1, each one past the border at most: counted from
-    // one, so that -1 is 0.
-    template <class Visit>
-    void visit(const PackedDiscs<Real>& discs, std::uint32_t c0, std::uint32_t c1, std::uint32_t r0,
-               std::uint32_t r1, Visit&& with) const {
-        for (std::uint32_t r = r0; r <= r1; ++r)
-            for (std::size_t cell = std::size_t(r) * m_stride + c0, last = cell + (c1 - c0); cell <= last;
-                 ++cell)
-                for (std::uint32_t j = m_heads[cell]; j != none; j = discs[j].nextInCell)
-                    with(j);
+    // The discs but i in columns c0…c1 and rows r0…r1, each counted from one, so that one past the border is
+    // 0; written to `out`, where there is room for all and one more. Returns how many. Every other cell is
+    // empty and hardly one holds two discs of about its size: so that no branch has to guess, an empty one
+    // gives none(), which the next overwrites.
+    std::size_t gather(const PackedDiscs<Real>& discs, std::uint32_t i, std::uint32_t c0, std::uint32_t c1,
+                       std::uint32_t r0, std::uint32_t r1, std::uint32_t* out) const {
+        std::size_t count = 0;
+        for (std::uint32_t r = r0; r <= r1; ++r) {
+            const std::uint32_t* cell = &m_heads[std::size_t(r) * m_stride + c0];
+            for (const std::uint32_t* last = cell + (c1 - c0); cell <= last; ++cell) {
+                std::uint32_t j = *cell;
+                do {
+                    out[count] = j;
+                    count += (j != m_none) & (j != i);
+                    j = discs[j].nextInCell;
+                } while (j != m_none);
+            }
+        }
+        return count;
     }
 
 private:
@@ -104,6 +113,7 @@ private:
 
     std::array<Axis, 2> m_axes;
     std::uint32_t m_stride = 3;
+    std::uint32_t m_none = 0;
     std::vector<std::uint32_t> m_heads; // the first disc of each cell
 };
 

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "core/engine/cell_grid.h"
+#include "core/engine/earliest_tree.h"
+#include "core/engine/nearby.h"
 #include "core/engine/surroundings.h"
-#include "core/engine/winner_tree.h"
-#include "core/motion/impact.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,7 +28,8 @@ public:
         : m_discs(scene.bodies)
         , m_frame(scene.frame.value_or(Frame{}))
         , m_slots(m_discs.count())
-        , m_queue(m_discs.count()) {
+        , m_queue(m_discs.count())
+        , m_near(m_discs.count() + 1) {
         for (Index i = 0; i < m_discs.count(); ++i)
             m_reach = std::max(m_reach, Real(2 * m_discs[i].radius));
         m_open = !(m_frame.left && m_frame.right && m_frame.bottom && m_frame.top);
@@ -47,7 +48,7 @@ public:
     // run: whether anything more will happen is known only then. In open space that is soon.
     template <class Around> First earliest(const Around& around) {
         for (;;) {
-            const unsigned i = m_queue.first();
+            const auto i = unsigned(m_queue.first());
             const Slot& slot = m_slots[i];
             if (slot.pairTime < slot.own.time) {
                 if (m_discs[slot.partner].changes == slot.partnerChanges)
@@ -102,27 +103,13 @@ private:
     template <class Around>
     void lookIn(const Around& around, unsigned i, const Real& now, std::uint32_t c0, std::uint32_t c1,
                 std::uint32_t r0, std::uint32_t r1) {
-        const PackedDisc<Real>& d = m_discs[i];
-        const Vec2<Real> p = d.positionAt(now);
-        const Vec2<Real> v = d.velocity;
-        const Real speed2 = dot(v, v);
         Slot& slot = m_slots[i];
-        Real best = slot.pairTime;
-        std::uint32_t partner = CellGrid<Real>::none;
-        m_grid.visit(m_discs, c0, c1, r0, r1, [&](std::uint32_t j) {
-            const PackedDisc<Real>& o = m_discs[j];
-            const Vec2<Real> u = o.velocity;
-            const Real time = now + timeToImpact<Real>(p - o.positionAt(now), v - u, d.radius + o.radius,
-                                                       speed2 + dot(u, u));
-            // Itself, it does not approach. Of equals the first in the scene, as if all were asked in turn.
-            const bool sooner = (time < best) | ((time == best) & (j < partner));
-            if (sooner && time < std::numeric_limits<Real>::infinity() && around.inPlay(j)) {
-                best = time;
-                partner = j;
-            }
-        });
-        if (partner != CellGrid<Real>::none)
-            slot = {best, slot.own, partner, m_discs[partner].changes};
+        const std::size_t count = m_grid.gather(m_discs, i, c0, c1, r0, r1, m_near.data());
+        Nearby<Real> nearby(m_discs[i], now);
+        const auto best = nearby.earliest(m_discs, m_near.data(), count, {slot.pairTime, m_grid.none()},
+                                          [&around](std::uint32_t j) { return around.inPlay(j); });
+        if (best.partner != m_grid.none())
+            slot = {best.time, slot.own, best.partner, m_discs[best.partner].changes};
     }
 
     template <class Around> void findOwn(const Around& around, unsigned i, const Real& now) {
@@ -187,7 +174,7 @@ private:
             m_grid.insert(m_discs, i);
             m_queue.set(i, std::min(m_slots[i].pairTime, m_slots[i].own.time));
         }
-        m_queue.playAll();
+        m_queue.build();
     }
 
     // Where the cells are laid: to the walls, or half as far again as most of the centres lie.
@@ -212,7 +199,8 @@ private:
     Real m_reach{0};
     std::vector<Slot> m_slots;
     CellGrid<Real> m_grid;
-    WinnerTree<Real> m_queue;
+    EarliestTree<Real> m_queue;
+    std::vector<std::uint32_t> m_near; // of the last lookIn()
     std::size_t m_outside = 0;
 };
 

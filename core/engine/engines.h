@@ -10,8 +10,8 @@ enum class SearchKind { ByCount, AllPairs, Cells };
 
 Timeline runNextEvent(const Scene& scene, const EngineSettings& settings,
                       SearchKind search = SearchKind::ByCount);
-Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings,
-                          SearchKind search); // apart: Quad compiles slowly
+// Apart, as Quad compiles slowly; always by all pairs.
+Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings);
 Timeline runStepped(const Scene& scene, const EngineSettings& settings);
 
 } // namespace thetalane

@@ -39,7 +39,7 @@ Timeline runNextEvent(const Scene& scene, const EngineSettings& settings, Search
     case Precision::Quad:
         break;
     }
-    return runNextEventQuad(scene, settings, search);
+    return runNextEventQuad(scene, settings);
 }
 
 } // namespace thetalane

@@ -30,16 +30,18 @@ static_assert(sizeof(PackedDisc<double>) == 64);
 template <class Real> class PackedDiscs {
 public:
     explicit PackedDiscs(const std::vector<Body>& bodies) {
-        m_discs.reserve(bodies.size());
+        m_discs.reserve(bodies.size() + 1);
         m_masses.reserve(bodies.size());
         for (const Body& b : bodies) {
             m_discs.push_back(
                 {convert<Real>(b.position), convert<Real>(b.velocity), Real(0), Real(b.radius)});
             m_masses.push_back(Real(b.mass));
         }
+        m_discs.emplace_back(); // nobody, who stands for the empty cells
+        m_discs.back().nextInCell = std::uint32_t(bodies.size());
     }
 
-    std::size_t count() const { return m_discs.size(); }
+    std::size_t count() const { return m_masses.size(); }
     PackedDisc<Real>& operator[](std::size_t i) { return m_discs[i]; }
     const PackedDisc<Real>& operator[](std::size_t i) const { return m_discs[i]; }
 
