@@ -64,6 +64,7 @@ public:
     }
 
     template <class Around> void changedCourse(const Around& around, Index i, Index j, const Real& now) {
+        ++m_events;
         ++m_discs[i].changes;
         if (j != nobody)
             ++m_discs[j].changes;
@@ -105,6 +106,7 @@ private:
                 std::uint32_t r0, std::uint32_t r1) {
         Slot& slot = m_slots[i];
         const std::size_t count = m_grid.gather(m_discs, i, c0, c1, r0, r1, m_near.data());
+        m_looked = count;
         Nearby<Real> nearby(m_discs[i], now);
         const auto best = nearby.earliest(m_discs, m_near.data(), count, {slot.pairTime, m_grid.none()},
                                           [&around](std::uint32_t j) { return around.inPlay(j); });
@@ -121,7 +123,8 @@ private:
         const bool border = m_grid.columns().atBorder(d.column) || m_grid.rows().atBorder(d.row);
         if (Around::hasLane || (Around::hasFrame && border))
             own = around.next(i, now, p, d.velocity, d.radius);
-        m_outside += m_open && border && !(m_grid.columns().holds(p.x) && m_grid.rows().holds(p.y));
+        if (m_open && border && !(m_grid.columns().holds(p.x) && m_grid.rows().holds(p.y)))
+            m_outside += 1 + m_looked;
         if (!around.inPlay(i))
             return;
         const Real inX = m_grid.columns().leavesIn(d.column, p.x, d.velocity.x);
@@ -148,15 +151,17 @@ private:
         wait(around, i, now);
     }
 
-    // Laying the cells anew costs about one event of each disc; as many happen outside before.
+    // Laying the cells anew costs a few looks of each disc; as many are wasted outside before.
+    // Never without collisions: what only flies apart comes to its last crossing.
     template <class Around> void wait(const Around& around, unsigned i, const Real& now) {
         m_queue.change(i, std::min(m_slots[i].pairTime, m_slots[i].own.time));
-        if (m_open && m_outside > m_discs.count() + 64)
+        if (m_open && m_outside > 8 * m_discs.count() && 16 * m_events > m_discs.count())
             layOut(around, now);
     }
 
     template <class Around> void layOut(const Around& around, const Real& now) {
         m_outside = 0;
+        m_events = 0;
         m_grid.layOut(region(now, &Vec2<Real>::x, m_frame.left, m_frame.right),
                       region(now, &Vec2<Real>::y, m_frame.bottom, m_frame.top), m_reach, m_discs.count());
         for (Index i = 0; i < m_discs.count(); ++i) {
@@ -201,7 +206,9 @@ private:
     CellGrid<Real> m_grid;
     EarliestTree<Real> m_queue;
     std::vector<std::uint32_t> m_near; // of the last lookIn()
-    std::size_t m_outside = 0;
+    std::size_t m_looked = 0;          // at how many, the last time
+    std::size_t m_events = 0;          // since the cells were laid
+    std::size_t m_outside = 0;         // looks since the cells were laid, by discs outside of them
 };
 
 } // namespace thetalane
