@@ -5,8 +5,13 @@
 
 namespace thetalane {
 
-Timeline runNextEvent(const Scene& scene, const EngineSettings& settings);
-Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings); // apart: Quad compiles slowly
+// How the next-event engine finds who meets whom, and what happens first.
+enum class SearchKind { ByCount, AllPairs, Cells };
+
+Timeline runNextEvent(const Scene& scene, const EngineSettings& settings,
+                      SearchKind search = SearchKind::ByCount);
+// Apart, as Quad compiles slowly; always by all pairs.
+Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings);
 Timeline runStepped(const Scene& scene, const EngineSettings& settings);
 
 } // namespace thetalane

@@ -1,6 +1,7 @@
 #include "core/scene/builtin.h"
 
 #include "core/scene/bowling_scene.h"
+#include "core/scene/crowd_scenes.h"
 
 namespace thetalane {
 namespace {
@@ -81,11 +82,16 @@ Scene bowling() {
     return bowlingScene(Throw{});
 }
 
+template <int Count> Scene gas() {
+    return gasScene(Count);
+}
+
 constexpr BuiltinScene catalogue[] = {
     {"two-balls", twoBalls},     {"head-on", headOn},         {"right-angle", rightAngle},
     {"heavy-light", heavyLight}, {"light-heavy", lightHeavy}, {"glancing", glancing},
     {"inelastic", inelastic},    {"cradle", cradle},          {"rack", rack},
-    {"bowling", bowling},
+    {"bowling", bowling},        {"break", breakScene},       {"pi-4", countingScene},
+    {"gas-100", gas<100>},       {"gas-1000", gas<1000>},     {"gas-10000", gas<10000>},
 };
 
 } // namespace

@@ -72,6 +72,11 @@ constexpr Golden golden[] = {
     {"cradle", 0xda5de26ce3843801, 0x21f53a15976149b5, 0x63b0bb61212a839a, 0x2c36ecf29bc9256c},
     {"rack", 0x41e7961f3d4f4d0c, 0x8e6d0e1515b95a8f, 0xcea77120ab24b801, 0x92ddd62bd2364f0a},
     {"bowling", 0x5bcd262ad755d4f6, 0x858c5e9ad2c7fe42, 0xf5015f327792572d, 0xf2725dfde114fdc1},
+    {"break", 0x584e4f2b9de85335, 0xf848c91d47c801d1, 0xa6ee1ff0acb9a550, 0x96700a8c4b9d51d1},
+    {"pi-4", 0xd8ad42e515bb7105, 0xdab332d3cb6a5a1c, 0x9d23d5fc67066a4d, 0x9424ad7bcb28a822},
+    {"gas-100", 0xd88a1017ded83233, 0x5e8659541e46191c, 0xc5a9bb0d116765de, 0x44be3e7d35264cb5},
+    {"gas-1000", 0x6938c2fcff29a485, 0x9956a425c718950f, 0xc7d3add23059a3ec, 0x56857b4b9d4ab37f},
+    {"gas-10000", 0x56a81f1612ebd6b4, 0xe8d20e845dd67b94, 0xc3942aa2c0f43726, 0x64a06a2bd476a39a},
 };
 
 } // namespace
@@ -88,10 +93,13 @@ private slots:
     void goldenHashes() {
         QFETCH(QString, id);
         const Scene scene = *builtinScene(id.toStdString());
-        const std::uint64_t got[] = {hashOf(runOf(scene, eventSettings(5))),
-                                     hashOf(runOf(scene, eventSettings(5, Precision::Float))),
-                                     hashOf(runOf(scene, steppedSettings(5, 1.0 / 60))),
-                                     hashOf(runOf(scene, steppedSettings(5, 1.0 / 60, Precision::Float)))};
+        // A crowd for a while, a few hundred collisions to a few thousand.
+        const double until = scene.bodies.size() < 50 ? 5 : 0.2 / std::sqrt(double(scene.bodies.size()));
+        const double step = scene.bodies.size() < 50 ? 1.0 / 60 : until / 10;
+        const std::uint64_t got[] = {hashOf(runOf(scene, eventSettings(until))),
+                                     hashOf(runOf(scene, eventSettings(until, Precision::Float))),
+                                     hashOf(runOf(scene, steppedSettings(until, step))),
+                                     hashOf(runOf(scene, steppedSettings(until, step, Precision::Float)))};
         const QString line = QString("{\"%1\", 0x%2, 0x%3, 0x%4, 0x%5},")
                                  .arg(id)
                                  .arg(got[0], 16, 16, QChar('0'))
@@ -114,7 +122,7 @@ private slots:
         const Scene scene = *builtinScene("rack");
         const std::uint64_t once = hashOf(runOf(scene, eventSettings(5)));
         for (const BuiltinScene& b : builtinScenes())
-            runOf(b.make(), eventSettings(5));
+            runOf(b.make(), eventSettings(0.1));
         QCOMPARE(hashOf(runOf(scene, eventSettings(5))), once);
     }
 };

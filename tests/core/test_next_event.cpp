@@ -137,7 +137,7 @@ private slots:
     void builtinScenesAgree_data() {
         QTest::addColumn<QString>("id");
         for (const BuiltinScene& b : builtinScenes())
-            if (!b.make().lane)
+            if (const Scene scene = b.make(); !scene.lane && scene.bodies.size() < 50)
                 QTest::newRow(b.id.data()) << QString::fromUtf8(b.id.data());
     }
     void builtinScenesAgree() {

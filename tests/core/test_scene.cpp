@@ -16,7 +16,8 @@ class TestScene : public QObject {
 private slots:
     void builtinScenesAreSound() {
         const QStringList expected{"two-balls", "head-on",   "right-angle", "heavy-light", "light-heavy",
-                                   "glancing",  "inelastic", "cradle",      "rack",        "bowling"};
+                                   "glancing",  "inelastic", "cradle",      "rack",        "bowling",
+                                   "break",     "pi-4",      "gas-100",     "gas-1000",    "gas-10000"};
         for (const QString& id : expected) {
             const auto scene = builtinScene(id.toStdString());
             QVERIFY2(scene, qPrintable(id));

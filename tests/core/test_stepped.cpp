@@ -163,7 +163,7 @@ private slots:
     void builtinScenesMatchThePaper_data() {
         QTest::addColumn<QString>("id");
         for (const BuiltinScene& b : builtinScenes())
-            if (!b.make().lane)
+            if (const Scene scene = b.make(); !scene.lane && scene.bodies.size() < 50)
                 QTest::newRow(b.id.data()) << QString::fromUtf8(b.id.data());
     }
     void builtinScenesMatchThePaper() {
