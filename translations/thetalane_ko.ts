@@ -1208,7 +1208,7 @@
     </message>
     <message>
         <source>Or press Ctrl+→, or click a collision on the time line.</source>
-        <translation>Ctrl+→를 누르거나 시간 막대에서 충돌을 눌러도 됩니다.</translation>
+        <translation>Ctrl+→ 키나 시간 막대의 눈금으로도 열 수 있습니다.</translation>
     </message>
     <message>
         <source>Change a velocity or a position so that two bodies meet.</source>

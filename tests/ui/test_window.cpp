@@ -4,9 +4,11 @@
 #include "core/scene/builtin.h"
 
 #include <QAbstractButton>
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTabWidget>
@@ -132,6 +134,51 @@ private slots:
         QCOMPARE(p.playhead.time(), 0.0);
     }
 
+    // A button that the Tab key chose is pressed by the space bar; a field, a click leave it to the playhead.
+    void spaceBelongsToTheButtonWithTheFocus() {
+        Program p(Language::Code::English);
+        auto* reset = p.window.findChild<QAbstractButton*>("reset");
+        p.playhead.setTime(0.5);
+        reset->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(reset, Qt::Key_Space);
+        QVERIFY(!p.playhead.playing());
+        QCOMPARE(p.playhead.time(), 0.0);
+
+        p.window.findChild<QTabWidget*>("tabs")->setCurrentIndex(2);
+        auto* mass = p.window.findChild<QLineEdit*>("body0Mass");
+        mass->setFocus();
+        const QString before = mass->text();
+        QTest::keyClick(mass, Qt::Key_Space);
+        QVERIFY(p.playhead.playing());
+        QCOMPARE(mass->text(), before);
+        p.playhead.setPlaying(false);
+    }
+
+    // Under a style sheet Qt takes a font away from a widget that gets another parent.
+    void invitationIsLargeFromTheFirstPictureOn() {
+        Program p(Language::Code::Korean);
+        const int large = p.appearance.pixels(Appearance::Size::Large);
+        QCOMPARE(p.window.findChild<QLabel*>("invitation")->font().pixelSize(), large);
+        QCOMPARE(p.window.findChild<QAbstractButton*>("goToFirstCollision")->font().pixelSize(), large);
+    }
+
+    // The open card shows its figure and its first formulas without scrolling, from the back row too.
+    void firstFormulasAreSeenOnAProjector() {
+        Program p(Language::Code::Korean);
+        p.window.setProjector(true);
+        p.playhead.select(0);
+        auto* viewport = p.window.findChild<QAbstractScrollArea*>("stepScroll")->viewport();
+        for (int stage = 0; stage < stageCount; ++stage) {
+            p.playhead.setStage(Stage(stage));
+            auto* card = p.window.findChild<QWidget*>(QString("stepCard%1").arg(stage));
+            auto* formulas = card->findChild<QWidget*>("formulaView");
+            const int seen = 3 * p.appearance.pixels(Appearance::Size::Normal);
+            QTRY_VERIFY2(formulas->mapTo(viewport->window(), QPoint(0, seen)).y() <
+                             viewport->mapTo(viewport->window(), QPoint(0, viewport->height())).y(),
+                         qPrintable(QString("stage %1").arg(stage)));
+        }
+    }
+
     void languageSwitchesEverythingAtOnce() {
         Program p(Language::Code::English);
         auto* tabs = p.window.findChild<QTabWidget*>("tabs");
@@ -218,6 +265,10 @@ private slots:
         QVERIFY(message->isVisible());
         QVERIFY2(message->text().contains("bad.json: bodies[0].mass: "), qPrintable(message->text()));
         QVERIFY(message->text().contains("-3"));
+        p.language.use(Language::Code::Korean);
+        QCoreApplication::processEvents();
+        QVERIFY2(message->text().contains("0보다 커야 합니다"), qPrintable(message->text()));
+        p.language.use(Language::Code::English);
         QCOMPARE(p.session.scene().bodies[0].mass, 1.0);
         p.window.openFile(m_settings.filePath("nowhere.json"));
         QVERIFY(message->text().contains("nowhere.json"));

@@ -4,6 +4,8 @@
 #include "ui/lane/step_overlay.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace thetalane {
 namespace {
@@ -12,15 +14,18 @@ QRectF disc(const Vec2d& centre, double radius) {
     return toUnits(centre - Vec2d{radius, radius}, centre + Vec2d{radius, radius});
 }
 
-// Where everything starts and where it meets.
+// Where everything starts, and where any two first meet: a pair that the paper's loop holds together, meeting
+// again and again as it flies off, would make the rest of the scene dots.
 QRectF action(const Run& run) {
     constexpr std::size_t most = 500;
     QRectF all;
     for (const Body& body : run.scene.bodies)
         all |= disc(body.position, body.radius);
     const auto collisions = run.timeline.collisions();
+    std::set<std::pair<int, int>> met;
     for (std::size_t i = 0; i < std::min(collisions.size(), most); ++i)
-        all |= disc(collisions[i].steps.first.position, collisions[i].steps.first.radius);
+        if (met.insert({collisions[i].first, collisions[i].second}).second)
+            all |= disc(collisions[i].steps.first.position, collisions[i].steps.first.radius);
     return all;
 }
 

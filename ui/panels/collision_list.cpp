@@ -81,6 +81,18 @@ void CollisionList::restyle() {
     m_empty->setStyleSheet(QStringLiteral("color: %1;").arg(appearance().quietText().name()));
 }
 
+// 0.0411 is wider than 14.1. In a run of many thousands the first rows stand for all.
+QString CollisionList::widestText(int column) const {
+    const QFontMetrics metrics(m_table->font());
+    QString widest = QStringLiteral("0.000");
+    for (int row = 0; row < std::min(m_model->rowCount(), 500); ++row) {
+        const QString text = m_model->index(row, column).data().toString();
+        if (metrics.horizontalAdvance(text) > metrics.horizontalAdvance(widest))
+            widest = text;
+    }
+    return widest;
+}
+
 // To the longest numbers and headings there will be; the bodies get the rest.
 void CollisionList::fitColumns() {
     const QFontMetrics text(m_table->font());
@@ -94,8 +106,8 @@ void CollisionList::fitColumns() {
     const QString digits = QString::number(std::max(10, m_model->rowCount()));
     fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("0")); // and the bracket
     fit(CollisionModel::Time, QStringLiteral("0.0000"));
-    fit(CollisionModel::Impulse, QStringLiteral("0.000"));
-    fit(CollisionModel::EnergyLoss, QStringLiteral("0.000"));
+    for (const int column : {CollisionModel::Impulse, CollisionModel::EnergyLoss})
+        fit(column, widestText(column));
 }
 
 void CollisionList::showRun() {

@@ -26,6 +26,7 @@ protected:
 private:
     void showRun();
     void fitColumns();
+    QString widestText(int column) const;
     void followPlayhead();
     void open(int row);
 

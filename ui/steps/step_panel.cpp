@@ -220,7 +220,9 @@ void StepPanel::showHead(const Collision& c) {
         return coloured(m_appearance.textInk(ink),
                         QStringLiteral("%1&nbsp;%2").arg(dot, bodyName(scene, body).toHtmlEscaped()));
     };
-    const QString second = c.isWall() ? partnerName(scene, c).toHtmlEscaped() : name(c.second, Ink::Second);
+    const QString second =
+        c.isWall() ? coloured(m_appearance.textInk(Ink::Second), partnerName(scene, c).toHtmlEscaped())
+                   : name(c.second, Ink::Second);
     QStringList facts{QStringLiteral("%1 → %2").arg(name(c.first, Ink::First), second),
                       QStringLiteral("<i>t</i>&nbsp;=&nbsp;%1&nbsp;s").arg(numberText(c.time))};
     if (c.group > 0)
