@@ -35,6 +35,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <functional>
 
 namespace thetalane {
@@ -148,6 +149,7 @@ void MainWindow::buildCentre() {
     m_splitter->addWidget(m_tabs);
     m_splitter->setStretchFactor(0, 1);
     m_splitter->setStretchFactor(1, 0);
+    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_dividedByHand = true; });
 
     m_message = new MessageBar(m_context);
     auto* centre = new QWidget;
@@ -159,6 +161,16 @@ void MainWindow::buildCentre() {
     layout->addWidget(m_splitter, 1);
     layout->addWidget(new TimelineBar(m_context));
     setCentralWidget(centre);
+}
+
+// Until someone drags the divide, the cards grow with the window: formulas like room, and so does the lane.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (m_dividedByHand)
+        return;
+    const int whole = m_splitter->width();
+    const int cards = std::clamp(whole * 3 / 10, m_tabs->minimumWidth(), 640);
+    m_splitter->setSizes({whole - cards, cards});
 }
 
 void MainWindow::addShortcut(const QKeySequence& keys, std::function<void()> action,
@@ -290,14 +302,16 @@ void MainWindow::applyAppearance() {
 void MainWindow::restoreState() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    m_splitter->restoreState(settings.value("window/splitter").toByteArray());
+    m_dividedByHand = settings.contains("window/splitter") &&
+                      m_splitter->restoreState(settings.value("window/splitter").toByteArray());
     setProjector(settings.value("window/projector", false).toBool());
 }
 
 void MainWindow::saveState() const {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
-    settings.setValue("window/splitter", m_splitter->saveState());
+    if (m_dividedByHand)
+        settings.setValue("window/splitter", m_splitter->saveState());
     settings.setValue("window/projector", m_context.appearance.projector());
     settings.setValue("language", Language::toString(m_language.code()));
 }

@@ -44,6 +44,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void buildTopBar();
@@ -70,6 +71,7 @@ private:
     QToolButton* m_english = nullptr;
     MessageBar* m_message = nullptr;
     QSplitter* m_splitter = nullptr;
+    bool m_dividedByHand = false;
     LanePanel* m_lane = nullptr;
     QTabWidget* m_tabs = nullptr;
     StepPanel* m_steps = nullptr;

@@ -7,6 +7,10 @@
 namespace thetalane {
 namespace {
 
+// What a window keeps at the most: every collision with all its steps, about 60 MB. A class does not look at
+// more.
+constexpr std::int64_t mostCollisions = 125'000;
+
 double worthShowing(const Run& run) {
     constexpr double afterLast = 1.5;
     constexpr double withoutAny = 4;
@@ -22,6 +26,7 @@ double worthShowing(const Run& run) {
 
 Session::Session(QObject* parent)
     : QObject(parent) {
+    m_settings.maxCollisions = mostCollisions;
     openBuiltin("two-balls");
 }
 
