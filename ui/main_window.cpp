@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "core/format/scene_file.h"
+#include "ui/divide.h"
 #include "ui/lane/lane_panel.h"
 #include "ui/message_bar.h"
 #include "ui/panels/bodies_panel.h"
@@ -28,14 +29,12 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QShortcut>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <functional>
 
 namespace thetalane {
@@ -142,14 +141,11 @@ void MainWindow::buildCentre() {
     m_tabs->addTab(list, QString());
     m_tabs->addTab(m_attributes, QString());
 
-    m_splitter = new QSplitter(Qt::Horizontal);
-    m_splitter->setObjectName("splitter");
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(m_lane);
-    m_splitter->addWidget(m_tabs);
-    m_splitter->setStretchFactor(0, 1);
-    m_splitter->setStretchFactor(1, 0);
-    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_dividedByHand = true; });
+    m_divide = new Divide;
+    m_divide->setObjectName("divide");
+    m_divide->setChildrenCollapsible(false);
+    m_divide->addWidget(m_lane);
+    m_divide->addWidget(m_tabs);
 
     m_message = new MessageBar(m_context);
     auto* centre = new QWidget;
@@ -158,19 +154,9 @@ void MainWindow::buildCentre() {
     layout->setSpacing(0);
     layout->addWidget(m_topBar);
     layout->addWidget(m_message);
-    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_divide, 1);
     layout->addWidget(new TimelineBar(m_context));
     setCentralWidget(centre);
-}
-
-// Until someone drags the divide, the cards grow with the window: formulas like room, and so does the lane.
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    if (m_dividedByHand)
-        return;
-    const int whole = m_splitter->width();
-    const int cards = std::clamp(whole * 3 / 10, m_tabs->minimumWidth(), 640);
-    m_splitter->setSizes({whole - cards, cards});
 }
 
 void MainWindow::addShortcut(const QKeySequence& keys, std::function<void()> action,
@@ -297,21 +283,20 @@ void MainWindow::applyAppearance() {
     m_projector->setIcon(makeIcon(Icon::Projector, look.text(), look.quietText()));
     m_projector->setIconSize(QSize(2 * u, 2 * u));
     m_tabs->setMinimumWidth(look.projector() ? 480 : 344);
+    m_tabs->setMaximumWidth(look.projector() ? 800 : 560);
 }
 
 void MainWindow::restoreState() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    m_dividedByHand = settings.contains("window/splitter") &&
-                      m_splitter->restoreState(settings.value("window/splitter").toByteArray());
+    m_divide->recall(settings.value("window/divide").toByteArray());
     setProjector(settings.value("window/projector", false).toBool());
 }
 
 void MainWindow::saveState() const {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
-    if (m_dividedByHand)
-        settings.setValue("window/splitter", m_splitter->saveState());
+    settings.setValue("window/divide", m_divide->remembered());
     settings.setValue("window/projector", m_context.appearance.projector());
     settings.setValue("language", Language::toString(m_language.code()));
 }

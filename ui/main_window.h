@@ -8,7 +8,6 @@
 
 #include <functional>
 
-class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 class QToolButton;
@@ -16,6 +15,7 @@ class QToolButton;
 namespace thetalane {
 
 class BodiesPanel;
+class Divide;
 class IconButton;
 class LanePanel;
 class MessageBar;
@@ -32,7 +32,7 @@ public:
     void setProjector(bool on);
     void setReducedMotion(bool on); // for pictures and for people who prefer it
 
-    // Geometry, splitter and projector mode, in the user's settings.
+    // Geometry, divide and projector mode, in the user's settings.
     void restoreState();
     void saveState() const;
 
@@ -44,7 +44,6 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void buildTopBar();
@@ -70,8 +69,7 @@ private:
     QToolButton* m_korean = nullptr;
     QToolButton* m_english = nullptr;
     MessageBar* m_message = nullptr;
-    QSplitter* m_splitter = nullptr;
-    bool m_dividedByHand = false;
+    Divide* m_divide = nullptr;
     LanePanel* m_lane = nullptr;
     QTabWidget* m_tabs = nullptr;
     StepPanel* m_steps = nullptr;

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -277,10 +278,18 @@ private slots:
     }
 
     void stateIsRemembered() {
+        QList<int> sizes;
         {
             Program p(Language::Code::Korean);
             p.window.resize(1111, 777);
             p.window.setProjector(true);
+            auto* divide = p.window.findChild<QSplitter*>("divide");
+            QTest::qWait(1);
+            const QPoint handle = divide->handle(1)->rect().center();
+            QTest::mousePress(divide->handle(1), Qt::LeftButton, {}, handle);
+            QTest::mouseMove(divide->handle(1), handle - QPoint(60, 0));
+            QTest::mouseRelease(divide->handle(1), Qt::LeftButton, {}, handle - QPoint(60, 0));
+            sizes = divide->sizes();
             QVERIFY(p.window.close());
         }
         QCOMPARE(QSettings().value("language").toString(), QString("ko"));
@@ -288,6 +297,20 @@ private slots:
         p.window.restoreState();
         QCOMPARE(p.window.size(), QSize(1111, 777));
         QVERIFY(p.appearance.projector());
+        QTest::qWait(1);
+        const auto restored = p.window.findChild<QSplitter*>("divide")->sizes();
+        QVERIFY2(std::abs(restored[1] - sizes[1]) <= 1,
+                 qPrintable(QString("%1 was %2").arg(restored[1]).arg(sizes[1])));
+    }
+
+    void cardsGrowWithTheWindow() {
+        Program p(Language::Code::English, QSize(1920, 1080));
+        QTest::qWait(1);
+        const auto wide = p.window.findChild<QSplitter*>("divide")->sizes();
+        QVERIFY(wide[1] >= 500);
+        p.window.resize(1024, 700);
+        QTest::qWait(1);
+        QVERIFY(p.window.findChild<QSplitter*>("divide")->sizes()[1] <= 360);
     }
 
 private:
