@@ -2,7 +2,7 @@
 # On Debian 12, Ubuntu 24.04 and their kin it uses apt, as root or with sudo; elsewhere it says what to install.
 
 packages=(g++ cmake ninja-build qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools libgl-dev libboost-dev
-    qt6-translations-l10n fontconfig)
+    qt6-translations-l10n fontconfig fonts-dejavu-extra) # the last: a serif with true italics, for formulas
 
 say() { printf '%s\n' "$*" >&2; }
 
