@@ -22,6 +22,9 @@ struct EngineSettings {
     bool approachingOnly = false; // the stepped engine's variant: exchange only when approaching
     double until = 10;            // [s]
     std::int64_t maxCollisions = 1'000'000;
+    // On a floor with friction, bodies pressed together that would meet again sooner than this stay together:
+    // a contact that lasts [s].
+    double contactTime = 1e-4;
     bool keepDetail = true; // false: the end and the counts only
 
     friend bool operator==(const EngineSettings&, const EngineSettings&) = default;

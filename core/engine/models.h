@@ -12,10 +12,11 @@ namespace thetalane {
 struct Requirements {
     bool frame = false;
     bool lane = false;
+    bool friction = false;
 };
 
 inline Requirements requirementsOf(const Scene& scene) {
-    return {scene.frame.has_value(), scene.lane.has_value()};
+    return {scene.frame.has_value(), scene.lane.has_value(), scene.friction.has_value()};
 }
 
 // The four walls; a side that is open lies at infinity.

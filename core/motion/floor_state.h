@@ -16,6 +16,8 @@ template <class Real> struct Spin { // [rad/s], world axes, z up
     Real x{};
     Real y{};
     Real z{}; // does not touch the path; kept as it is
+
+    friend bool operator==(const Spin&, const Spin&) = default;
 };
 
 template <class Real> struct Floor {

@@ -1,7 +1,7 @@
 // A scene is a value: bodies, restitution, and only what it needs beside them.
 #pragma once
 
-#include "core/math/vec2.h"
+#include "core/motion/floor_state.h"
 
 #include <array>
 #include <optional>
@@ -10,9 +10,12 @@
 
 namespace thetalane {
 
+inline constexpr double standardGravity = 9.80665; // m/s²
+
 enum class BodyKind { Ball, Pin };
 
 // mass [kg] > 0, radius [m] > 0, position [m], velocity [m/s]; id is unique in the scene.
+// Spin and inertia mean something on a floor with friction alone: a ball slides until it rolls, a pin slides.
 struct Body {
     std::string id;
     BodyKind kind = BodyKind::Ball;
@@ -20,6 +23,8 @@ struct Body {
     double radius = 0.1;
     Vec2d position;
     Vec2d velocity;
+    Spin<double> spin{};  // of a ball [rad/s]
+    double inertia = 0.4; // of a ball: β = I/(m R²), 0 < β <= 1; 2/5 for a uniform sphere
 
     friend bool operator==(const Body&, const Body&) = default;
 };
@@ -41,6 +46,35 @@ struct Frame {
     friend bool operator==(const Frame&, const Frame&) = default;
 };
 
+// Where the lane is oiled: from y = from to y = to.
+struct OilZone {
+    double from = 0;     // y [m]
+    double to = 0;       // y [m]
+    double friction = 0; // μ between a sliding ball and the oil
+
+    friend bool operator==(const OilZone&, const OilZone&) = default;
+};
+
+// Coulomb friction of the floor. A scene without it has none, and pays for none.
+struct Friction {
+    double ball = 0;                  // μ between a sliding ball and the floor, where there is no oil
+    double rolling = 0;               // μr of a rolling ball
+    double pin = 0;                   // μ between a pin and the floor
+    double gravity = standardGravity; // [m/s²]
+    std::vector<OilZone> oil;         // ascending in y, none over another
+
+    friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+// The plates on both sides of the pin deck, over the outer edges of the gutters. Where they stand, a pin
+// flies over the gutter, is thrown back with their own e, and stays in play.
+struct Kickbacks {
+    double from = 0;        // y where they begin [m]; they end with the lane
+    double restitution = 0; // 0 to 1
+
+    friend bool operator==(const Kickbacks&, const Kickbacks&) = default;
+};
+
 // A bowling lane: between x = left and x = right, from the foul line at y = foulLine to the end of the deck
 // at y = end; a gutter on each side and a pit behind. Metres. A body whose centre leaves the lane is lost to
 // play.
@@ -51,6 +85,7 @@ struct Lane {
     double end = 0;
     double gutterWidth = 0;
     double pitDepth = 0;
+    std::optional<Kickbacks> kickbacks{};
 
     friend bool operator==(const Lane&, const Lane&) = default;
 };
@@ -69,6 +104,7 @@ struct Scene {
     std::vector<Body> bodies;
     std::optional<Frame> frame;
     std::optional<Lane> lane;
+    std::optional<Friction> friction;
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };

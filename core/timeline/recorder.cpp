@@ -17,6 +17,19 @@ void Recorder::segment(int body, const Segment& segment) {
             segment; // the first ones came in the order of the bodies
 }
 
+void Recorder::segment(int body, const Segment& s, const Rotation& rotation) {
+    if (m_keepDetail || m_record.rotations.size() < m_bodyCount)
+        m_record.rotations.push_back(rotation);
+    else
+        m_record.rotations[std::size_t(body)] = rotation;
+    segment(body, s);
+}
+
+void Recorder::lasting(const LastingContact& contact) {
+    if (m_keepDetail)
+        m_record.lasting.push_back(contact);
+}
+
 void Recorder::departure(const Departure& departure) {
     if (m_keepDetail)
         m_record.departures.push_back(departure);

@@ -10,14 +10,19 @@ public:
     Recorder(std::size_t bodyCount, bool keepDetail);
 
     void segment(int body, const Segment& segment);
-    // `second` is -1 for a wall. Counted always, converted and kept only where details are.
+    void segment(int body, const Segment& segment,
+                 const Rotation& rotation); // with friction, for every segment
+    // `second` is -1 for a wall; contacts that were resolved together come one after another with the same
+    // `pass`, not 0. Counted always, converted and kept only where details are.
     template <class Real>
-    void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps) {
+    void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps,
+                   int pass = 0) {
         ++m_record.collisionCount;
         if (m_keepDetail)
-            m_record.collisions.push_back({time, first, second, side, 0, convert<double>(steps)});
+            m_record.collisions.push_back({time, first, second, side, 0, pass, 1, convert<double>(steps)});
     }
     void departure(const Departure& departure);
+    void lasting(const LastingContact& contact);
 
     bool keepsDetail() const { return m_keepDetail; }
     std::int64_t collisionCount() const { return m_record.collisionCount; }

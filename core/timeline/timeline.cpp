@@ -5,19 +5,45 @@
 namespace thetalane {
 namespace {
 
+using Collisions = std::vector<Collision>;
+
+// Where the run of collisions that are the same in `what` as the one at `begin` ends.
+template <class What> std::size_t endOfSame(const Collisions& collisions, std::size_t begin, What&& what) {
+    std::size_t end = begin + 1;
+    while (end < collisions.size() && what(collisions[begin], collisions[end]))
+        ++end;
+    return end;
+}
+
+// The engine's passes are any numbers; those of a group count from 1, and 0 is a pass of its own.
+void numberPasses(Collisions& collisions, std::size_t begin, std::size_t groupEnd) {
+    int pass = 0;
+    while (begin < groupEnd) {
+        const std::size_t end =
+            endOfSame(collisions, begin, [](auto& a, auto& b) { return a.pass != 0 && a.pass == b.pass; });
+        ++pass;
+        for (std::size_t k = begin; k < end; ++k) {
+            collisions[k].pass = pass;
+            collisions[k].together = int(end - begin);
+        }
+        begin = end;
+    }
+}
+
 // Contacts at the same instant belong together; a contact alone belongs to no group.
-void numberGroups(std::vector<Collision>& collisions) {
+void numberGroups(Collisions& collisions) {
     int group = 0;
     for (std::size_t i = 0; i < collisions.size();) {
-        std::size_t j = i + 1;
-        while (j < collisions.size() && collisions[j].time == collisions[i].time)
-            ++j;
-        if (j - i > 1) {
+        const std::size_t end = endOfSame(collisions, i, [](auto& a, auto& b) { return a.time == b.time; });
+        if (end - i > 1) {
+            numberPasses(collisions, i, end);
             ++group;
-            for (std::size_t k = i; k < j; ++k)
+            for (std::size_t k = i; k < end; ++k)
                 collisions[k].group = group;
+        } else {
+            collisions[i].pass = 0;
         }
-        i = j;
+        i = end;
     }
 }
 
@@ -27,6 +53,11 @@ BodyState along(const Segment& s, double t) {
             s.velocity + s.acceleration * tau, s.place};
 }
 
+void turnAlong(const Rotation& r, double tau, BodyState& state) {
+    state.spin = {r.spin.x + r.rate.x * tau, r.spin.y + r.rate.y * tau, r.spin.z + r.rate.z * tau};
+    state.phase = r.phase;
+}
+
 } // namespace
 
 Timeline::Timeline(std::size_t bodyCount, TimelineRecord record)
@@ -34,6 +65,7 @@ Timeline::Timeline(std::size_t bodyCount, TimelineRecord record)
     , m_firstSegment(bodyCount + 1, 0)
     , m_collisions(std::move(record.collisions))
     , m_departures(std::move(record.departures))
+    , m_lasting(std::move(record.lasting))
     , m_collisionCount(record.collisionCount)
     , m_endTime(record.endTime)
     , m_endReason(record.endReason) {
@@ -43,8 +75,13 @@ Timeline::Timeline(std::size_t bodyCount, TimelineRecord record)
     for (std::size_t i = 0; i < bodyCount; ++i)
         m_firstSegment[i + 1] += m_firstSegment[i];
     std::vector<std::size_t> next(m_firstSegment.begin(), m_firstSegment.end() - 1);
-    for (const auto& s : record.segments)
-        m_segments[next[std::size_t(s.body)]++] = s.segment;
+    m_rotations.resize(record.rotations.size());
+    for (std::size_t k = 0; k < record.segments.size(); ++k) {
+        const std::size_t place = next[std::size_t(record.segments[k].body)]++;
+        m_segments[place] = record.segments[k].segment;
+        if (!m_rotations.empty())
+            m_rotations[place] = record.rotations[k];
+    }
     numberGroups(m_collisions);
 }
 
@@ -53,12 +90,23 @@ std::span<const Segment> Timeline::segments(std::size_t body) const {
         .subspan(m_firstSegment[body], m_firstSegment[body + 1] - m_firstSegment[body]);
 }
 
+std::span<const Rotation> Timeline::rotations(std::size_t body) const {
+    if (m_rotations.empty())
+        return {};
+    return std::span(m_rotations)
+        .subspan(m_firstSegment[body], m_firstSegment[body + 1] - m_firstSegment[body]);
+}
+
 BodyState Timeline::bodyAt(std::size_t body, double t) const {
     t = std::clamp(t, 0.0, m_endTime);
     const auto own = segments(body);
     const auto after = std::upper_bound(own.begin(), own.end(), t,
                                         [](double time, const Segment& s) { return time < s.start; });
-    return along(after == own.begin() ? own.front() : *(after - 1), t);
+    const std::size_t k = after == own.begin() ? 0 : std::size_t(after - own.begin()) - 1;
+    BodyState state = along(own[k], t);
+    if (!m_rotations.empty())
+        turnAlong(rotations(body)[k], t - own[k].start, state);
+    return state;
 }
 
 std::vector<BodyState> Timeline::stateAt(double t) const {

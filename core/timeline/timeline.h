@@ -25,10 +25,19 @@ struct Segment {
     Place place = Place::Play;
 };
 
+// How a body turns during a stretch of motion, on a floor with friction: ω(t) = spin + rate τ.
+struct Rotation {
+    Spin<double> spin; // rad/s
+    Spin<double> rate; // rad/s²
+    FloorPhase phase = FloorPhase::Rest;
+};
+
 struct BodyState {
     Vec2d position;
     Vec2d velocity;
     Place place = Place::Play;
+    Spin<double> spin{};                 // rad/s; zero in a scene without friction
+    FloorPhase phase = FloorPhase::Rest; // Rest in a scene without friction
 
     friend bool operator==(const BodyState&, const BodyState&) = default;
 };
@@ -40,6 +49,8 @@ struct Collision {
     int second = -1;        // index, or -1 for a wall
     Side side = Side::Left; // which wall, where second is -1
     int group = 0;          // contacts of the same instant share a number from 1; 0: alone
+    int pass = 0;           // in a group: those resolved together share a pass, from 1; 0: alone
+    int together = 1;       // how many contacts were resolved in that pass
     PairCollision<double> steps;
 
     bool isWall() const { return second < 0; }
@@ -53,6 +64,15 @@ struct Departure {
     Place place = Place::Gutter;
 };
 
+// Two bodies, or a body and a wall, that were pressed together by friction and stayed together.
+struct LastingContact {
+    double from = 0;
+    double to = 0;
+    int first = 0;
+    int second = -1;        // as in Collision
+    Side side = Side::Left; // which wall, where second is -1
+};
+
 enum class EndReason { Until, AtRest, NoMoreCollisions, MaxCollisions };
 
 // What the engine wrote down, in the order in which it happened.
@@ -62,8 +82,10 @@ struct TimelineRecord {
         Segment segment;
     };
     std::vector<BodySegment> segments; // every body's first one at time 0
+    std::vector<Rotation> rotations;   // of the segments, one each; none without friction
     std::vector<Collision> collisions;
     std::vector<Departure> departures;
+    std::vector<LastingContact> lasting;
     std::int64_t collisionCount = 0; // may exceed collisions.size(): a summary keeps none
     double endTime = 0;
     EndReason endReason = EndReason::Until;
@@ -83,8 +105,12 @@ public:
     std::span<const Collision> collisions() const { return m_collisions; }
     std::span<const Departure> departures() const { return m_departures; }
 
+    std::span<const LastingContact> lastingContacts() const { return m_lasting; }
+
     // A body's stretches of motion, in the order of time: its path. The last one lasts to the end.
     std::span<const Segment> segments(std::size_t body) const;
+    // How it turns in each of them; empty in a scene without friction.
+    std::span<const Rotation> rotations(std::size_t body) const;
 
     // The state at t, clamped to [0, endTime()]. At the very time of an event: after it.
     BodyState bodyAt(std::size_t body, double t) const;
@@ -98,9 +124,11 @@ public:
 
 private:
     std::vector<Segment> m_segments;         // all bodies', body by body
+    std::vector<Rotation> m_rotations;       // in the same order, or none
     std::vector<std::size_t> m_firstSegment; // of each body; one past the last body's at the end
     std::vector<Collision> m_collisions;
     std::vector<Departure> m_departures;
+    std::vector<LastingContact> m_lasting;
     std::int64_t m_collisionCount = 0;
     double m_endTime = 0;
     EndReason m_endReason = EndReason::Until;
