@@ -10,6 +10,7 @@
 
 #include "core/engine/cell_grid.h"
 #include "core/engine/earliest_tree.h"
+#include "core/engine/first_event.h"
 #include "core/engine/nearby.h"
 #include "core/engine/surroundings.h"
 
@@ -18,7 +19,7 @@
 
 namespace thetalane {
 
-template <class Real> class Cells {
+template <class Real, bool> class Cells {
 public:
     using Index = std::size_t;
     static constexpr Index nobody = Index(-1);
@@ -40,25 +41,21 @@ public:
 
     template <class Around> void start(const Around& around) { layOut(around, Real(0)); }
 
-    struct First {
-        Index body;
-        NextEvent<Real> event;
-    };
     // Crossings and collisions that have become void are dealt with on the way, also after the end of the
     // run: whether anything more will happen is known only then. In open space that is soon.
-    template <class Around> First earliest(const Around& around) {
+    template <class Around> FirstEvent<Real> earliest(const Around& around) {
         for (;;) {
             const auto i = unsigned(m_queue.first());
             const Slot& slot = m_slots[i];
             if (slot.pairTime < slot.own.time) {
                 if (m_discs[slot.partner].changes == slot.partnerChanges)
-                    return {i, {slot.pairTime, slot.partner, EventKind::Pair, 0}};
+                    return {i, {slot.pairTime, slot.partner, EventKind::Pair, 0}, false};
                 const Real now = slot.pairTime;
                 look(around, i, now);
             } else if (slot.own.kind == EventKind::Cell) {
                 cross(around, i, slot.own.time);
             } else {
-                return {i, slot.own};
+                return {i, slot.own, false};
             }
         }
     }
@@ -71,6 +68,22 @@ public:
         look(around, unsigned(i), now);
         if (j != nobody)
             look(around, unsigned(j), now);
+    }
+
+    template <class Around>
+    void changedCourse(const Around& around, std::span<const Index> bodies, const Real& now) {
+        for (const Index b : bodies)
+            ++m_discs[b].changes;
+        m_events += bodies.size();
+        for (const Index b : bodies)
+            look(around, unsigned(b), now);
+    }
+    template <class F> void forEachNear(Index i, const Real&, F&& f) {
+        const PackedDisc<Real>& d = m_discs[i];
+        const std::size_t count =
+            m_grid.gather(m_discs, unsigned(i), d.column, d.column + 2, d.row, d.row + 2, m_near.data());
+        for (std::size_t k = 0; k < count; ++k)
+            f(Index(m_near[k]));
     }
 
     void shiftTime(const Real& shift) {
@@ -122,7 +135,7 @@ private:
         // Walls are reached from the cells at the border alone.
         const bool border = m_grid.columns().atBorder(d.column) || m_grid.rows().atBorder(d.row);
         if (Around::hasLane || (Around::hasFrame && border))
-            own = around.next(i, now, p, d.velocity, d.radius);
+            own = around.next(i, now, {p, d.velocity, {}, d.radius});
         if (m_open && border && !(m_grid.columns().holds(p.x) && m_grid.rows().holds(p.y)))
             m_outside += 1 + m_looked;
         if (!around.inPlay(i))

@@ -13,20 +13,29 @@ namespace {
 // pairs.
 constexpr std::size_t fewestForCells = 20;
 
-template <class Real, template <class> class Search>
+template <class Real, template <class, bool> class Search>
 Timeline runWithModels(const Scene& scene, const EngineSettings& settings) {
     const Requirements needs = requirementsOf(scene);
     if (needs.frame && needs.lane)
-        return NextEventEngine<Real, true, true, Search>(scene, settings).run();
+        return NextEventEngine<Real, Models<true, true, false>, Search>(scene, settings).run();
     if (needs.frame)
-        return NextEventEngine<Real, true, false, Search>(scene, settings).run();
+        return NextEventEngine<Real, Models<true, false, false>, Search>(scene, settings).run();
     if (needs.lane)
-        return NextEventEngine<Real, false, true, Search>(scene, settings).run();
-    return NextEventEngine<Real, false, false, Search>(scene, settings).run();
+        return NextEventEngine<Real, Models<false, true, false>, Search>(scene, settings).run();
+    return NextEventEngine<Real, Models<false, false, false>, Search>(scene, settings).run();
+}
+
+template <class Real> Timeline runOnFloor(const Scene& scene, const EngineSettings& settings) {
+    const Requirements needs = requirementsOf(scene);
+    if (needs.frame)
+        return NextEventEngine<Real, Models<true, true, true>, AllPairs>(scene, settings).run();
+    return NextEventEngine<Real, Models<false, true, true>, AllPairs>(scene, settings).run();
 }
 
 template <class Real>
 Timeline runWithSearch(const Scene& scene, const EngineSettings& settings, SearchKind search) {
+    if (requirementsOf(scene).friction)
+        return runOnFloor<Real>(scene, settings);
     return search == SearchKind::Cells ? runWithModels<Real, Cells>(scene, settings)
                                        : runWithModels<Real, AllPairs>(scene, settings);
 }

@@ -3,63 +3,84 @@
 // Each disc keeps its own time (it moves only when something happens to it) and its one next event; a next
 // event whose partner changed course meanwhile is found again. An impulse passes only between approaching
 // bodies, and bodies that overlap by rounding and approach collide at once, so that none passes through
-// another. How partners and the earliest event are found is the Search's business: AllPairs or Cells.
+// another. How partners and the earliest event are found is the Search's business: AllPairs or Cells. Where
+// more than two meet at once, and where friction presses them together, Settlement and Pressing decide.
 #pragma once
 
 #include "core/engine/engine.h"
-#include "core/engine/surroundings.h"
-#include "core/timeline/recorder.h"
+#include "core/engine/settlement.h"
 
 #include <algorithm>
 
 namespace thetalane {
 
-template <class Real, bool HasFrame, bool HasLane, template <class> class Search> class NextEventEngine {
+template <class Real, class Models, template <class, bool> class SearchFor> class NextEventEngine {
 public:
+    using Search = SearchFor<Real, Models::friction>;
+
     NextEventEngine(const Scene& scene, const EngineSettings& settings)
         : m_restitution(scene.restitution)
         , m_settings(settings)
         , m_until(settings.until)
         , m_around(scene)
         , m_search(scene)
-        , m_recorder(scene.bodies.size(), settings.keepDetail) {}
+        , m_floor(scene)
+        , m_recorder(scene.bodies.size(), settings.keepDetail)
+        , m_settlement(scene, m_search, m_around, m_recorder)
+        , m_cascade(cascadeOf(scene)) {}
+
+    // The rooms refer to each other.
+    NextEventEngine(const NextEventEngine&) = delete;
+    NextEventEngine& operator=(const NextEventEngine&) = delete;
 
     Timeline run() {
+        if constexpr (Models::friction)
+            for (Index i = 0; i < discs().count(); ++i)
+                m_floor.begin(discs(), i, Real(0), true, {}, Real(0));
         if (m_recorder.keepsDetail())
             recordAll();
         m_search.start(m_around);
         for (;;) {
-            const auto [first, next] = m_search.earliest(m_around);
-            if (next.kind == EventKind::None)
+            const FirstEvent<Real> first = m_search.earliest(m_around);
+            if (first.event.kind == EventKind::None)
                 return finish(discs().allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions);
-            if (next.time > m_until)
+            if (first.event.time > m_until)
                 return finish(EndReason::Until);
-            if (next.kind != EventKind::LaneEdge && m_recorder.collisionCount() >= m_settings.maxCollisions)
+            if (isContact(first.event.kind) && m_recorder.collisionCount() >= m_settings.maxCollisions)
                 return finish(EndReason::MaxCollisions);
-            m_now = next.time;
-            happen(first, next);
-            if constexpr (Search<Real>::rebasesTime)
+            m_now = first.event.time;
+            happen(first);
+            if constexpr (Search::rebasesTime)
                 rebaseTime();
         }
     }
 
 private:
     using Index = std::size_t;
-    static constexpr Index nobody = Search<Real>::nobody;
+    static constexpr Index nobody = Search::nobody;
 
     auto& discs() { return m_search.discs(); }
 
-    void happen(Index i, const NextEvent<Real>& event) {
-        switch (event.kind) {
-        case EventKind::Pair:
-            return collidePair(std::min<Index>(i, event.partner), std::max<Index>(i, event.partner));
-        case EventKind::Wall:
-            return collideWall(i, Side(event.detail));
-        case EventKind::LaneEdge:
-            return crossEdge(i, LaneEvent(event.detail));
-        default:
-            return;
-        }
+    void happen(const FirstEvent<Real>& first) {
+        const NextEvent<Real>& event = first.event;
+        if (event.kind == EventKind::LaneEdge)
+            return crossEdge(first.body, LaneEvent(event.detail));
+        if constexpr (Models::friction)
+            return settle(nameOf(first));
+        if (first.tied || cascades())
+            return settle(nameOf(first));
+        if (event.kind == EventKind::Pair)
+            collidePair(std::min<Index>(first.body, event.partner),
+                        std::max<Index>(first.body, event.partner));
+        else
+            collideWall(first.body, Side(event.detail), m_around.restitutionOf(event.kind));
+    }
+
+    static ContactName nameOf(const FirstEvent<Real>& first) {
+        if (first.event.kind == EventKind::Pair)
+            return {std::min<Index>(first.body, first.event.partner),
+                    std::max<Index>(first.body, first.event.partner), Side::Left};
+        return {first.body, nobody, Side(first.event.kind == EventKind::StretchEnd ? 0 : first.event.detail)};
     }
 
     void collidePair(Index i, Index j) {
@@ -75,23 +96,115 @@ private:
         changedCourse(i, j);
     }
 
-    void collideWall(Index i, Side side) {
+    void collideWall(Index i, Side side, const Real& restitution) {
         discs().moveTo(i, m_now);
-        const auto steps = collideWithSide(discs().disc(i), side, m_around.walls().restitution);
+        const auto steps = collideWithSide(discs().disc(i), side, restitution);
         discs().setVelocity(i, steps.after.first);
         m_recorder.collision(absolute(m_now), int(i), -1, side, steps);
         changedCourse(i, nobody);
     }
 
-    void crossEdge(Index i, LaneEvent event) {
-        discs().moveTo(i, m_now);
-        const Place before = m_around.place(i);
-        Vec2<Real> v = discs().velocity(i);
-        applyLaneEvent(event, v, m_around.placeOf(i));
+    // All that touch at this instant, together.
+    void settle(const ContactName& event) {
+        const bool close = !Models::friction && m_atThisInstant > m_cascade;
+        m_settlement.gather(event, m_now, Models::friction || close, [this](Index b) { moveTo(b); });
+        const auto& bodies = m_settlement.bodies();
+        if constexpr (Models::friction) {
+            Pressing<Real> pressing(m_floor, discs(), m_settings.contactTime);
+            m_settlement.reflect(absolute(m_now), false,
+                                 [&](const auto& touch, const auto& v) { return pressing.lasts(touch, v); });
+            pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
+            hold(pressing);
+            for (Index k = 0; k < bodies.size(); ++k)
+                goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
+        } else {
+            m_settlement.reflect(absolute(m_now), close, [](const auto&, const auto&) { return false; });
+            for (Index k = 0; k < bodies.size(); ++k)
+                discs().setVelocity(bodies[k], m_settlement.velocities()[k]);
+        }
+        if (m_recorder.keepsDetail())
+            for (const Index b : bodies)
+                record(b);
+        m_search.changedCourse(m_around, std::span<const Index>(bodies), m_now);
+    }
+
+    // Too many collisions at what is one instant: a cascade that would go on below all rounding.
+    bool cascades() {
+        if (m_now - m_instant > tieWindow<Real>(m_now)) {
+            m_instant = m_now;
+            m_atThisInstant = 0;
+        }
+        return ++m_atThisInstant > m_cascade;
+    }
+    static std::int64_t cascadeOf(const Scene& scene) {
+        const bool elastic =
+            scene.restitution == 1 && (!scene.frame || scene.frame->restitution == 1) &&
+            (!scene.lane || !scene.lane->kickbacks || scene.lane->kickbacks->restitution == 1);
+        return elastic ? std::numeric_limits<std::int64_t>::max() : 16 * std::int64_t(scene.bodies.size());
+    }
+
+    void moveTo(Index i) {
+        if constexpr (Models::friction)
+            m_floor.moveTo(discs(), i, m_now);
+        else
+            discs().moveTo(i, m_now);
+    }
+
+    // Friction alone: body i goes on from where it is.
+    void goOn(Index i, const Vec2<Real>& v, const Vec2<Real>& push, const Real& atMost) {
         discs().setVelocity(i, v);
-        if (m_around.place(i) != before)
-            m_recorder.departure({absolute(m_now), int(i), m_around.place(i)});
-        changedCourse(i, nobody);
+        if constexpr (Models::lane)
+            if (m_around.placeOf(i).flying != 0 && v == Vec2<Real>{} && push == Vec2<Real>{} &&
+                m_around.inPlay(i))
+                leavePlay(i, Place::Gutter);
+        m_floor.begin(discs(), i, m_now, m_around.inPlay(i), push, atMost);
+    }
+
+    void hold(const Pressing<Real>& pressing) {
+        const auto& touches = m_settlement.touches();
+        const auto& bodies = m_settlement.bodies();
+        const auto concerns = [&](Index b) {
+            return std::find(bodies.begin(), bodies.end(), b) != bodies.end();
+        };
+        const auto stays = [&](const ContactName& name) {
+            return std::any_of(pressing.pressed().begin(), pressing.pressed().end(),
+                               [&](Index k) { return touches[k].name == name; });
+        };
+        m_around.held().release(
+            [&](const ContactName& name) {
+                return (concerns(name.first) || (!name.isWall() && concerns(name.second))) && !stays(name);
+            },
+            absolute(m_now), m_recorder);
+        for (const Index k : pressing.pressed())
+            m_around.held().hold(touches[k].name, absolute(m_now));
+    }
+
+    void crossEdge(Index i, LaneEvent event) {
+        if constexpr (!Models::lane) {
+            return;
+        } else {
+            moveTo(i);
+            LanePlace& where = m_around.placeOf(i);
+            const Place before = where.place;
+            Vec2<Real> v = discs().velocity(i);
+            applyLaneEvent(event, m_around.lane(), discs().position(i), v, where);
+            discs().setVelocity(i, v);
+            if (where.place != before)
+                m_recorder.departure({absolute(m_now), int(i), where.place});
+            if constexpr (Models::friction) {
+                const auto partners = m_around.held().partnersOf(i);
+                settle({i, nobody, Side::Left});
+                for (const Index partner : partners)
+                    settle({partner, nobody, Side::Left});
+            } else {
+                changedCourse(i, nobody);
+            }
+        }
+    }
+
+    void leavePlay(Index i, Place place) {
+        m_around.placeOf(i).place = place;
+        m_recorder.departure({absolute(m_now), int(i), place});
     }
 
     void changedCourse(Index i, Index j) {
@@ -105,11 +218,13 @@ private:
 
     // A summary keeps the last segments alone: those are what the discs know at the end.
     void record(Index i) {
-        m_recorder.segment(int(i), {absolute(discs().since(i)),
-                                    convert<double>(discs().position(i)),
-                                    convert<double>(discs().velocity(i)),
-                                    {},
-                                    m_around.place(i)});
+        const Segment segment{absolute(discs().since(i)), convert<double>(discs().position(i)),
+                              convert<double>(discs().velocity(i)), convert<double>(discs().acceleration(i)),
+                              m_around.place(i)};
+        if constexpr (Models::friction)
+            m_recorder.segment(int(i), segment, m_floor.rotation(i));
+        else
+            m_recorder.segment(int(i), segment);
     }
 
     void recordAll() {
@@ -128,6 +243,7 @@ private:
         m_epoch = m_epoch + shift;
         m_now = m_now - shift;
         m_until = m_until - shift;
+        m_instant = m_instant - shift;
         m_search.shiftTime(shift);
     }
 
@@ -137,8 +253,10 @@ private:
         if (!m_recorder.keepsDetail())
             recordAll();
         const bool toTheEnd = reason == EndReason::Until || reason == EndReason::NoMoreCollisions;
-        return m_recorder.finish(toTheEnd ? static_cast<double>(Real(m_settings.until)) : absolute(m_now),
-                                 reason);
+        const double end = toTheEnd ? static_cast<double>(Real(m_settings.until)) : absolute(m_now);
+        if constexpr (Models::friction)
+            m_around.held().release([](const ContactName&) { return true; }, end, m_recorder);
+        return m_recorder.finish(end, reason);
     }
 
     Real m_restitution;
@@ -147,9 +265,14 @@ private:
     Real m_now{0};
     Real m_until;
     std::size_t m_events = 0;
-    Surroundings<Real, HasFrame, HasLane> m_around;
-    Search<Real> m_search;
+    Surroundings<Real, Models> m_around;
+    Search m_search;
+    FloorMotion<Real> m_floor;
     Recorder m_recorder;
+    Settlement<Real, Models, Search> m_settlement;
+    std::int64_t m_cascade; // the most collisions of one instant
+    std::int64_t m_atThisInstant = 0;
+    Real m_instant{0};
 };
 
 } // namespace thetalane

@@ -53,6 +53,11 @@ public:
         m_discs[i].position = m_discs[i].positionAt(now);
         m_discs[i].since = now;
     }
+    Vec2<Real> positionAt(std::size_t i, const Real& now) const { return m_discs[i].positionAt(now); }
+    Vec2<Real> velocityAt(std::size_t i, const Real&) const { return m_discs[i].velocity; }
+    Vec2<Real> acceleration(std::size_t) const { return {}; }
+    Real massOf(std::size_t i) const { return m_masses[i]; }
+    Real radiusOf(std::size_t i) const { return m_discs[i].radius; }
     void setVelocity(std::size_t i, const Vec2<Real>& v) { m_discs[i].velocity = v; }
 
     Disc<Real> disc(std::size_t i) const {

@@ -24,7 +24,7 @@ public:
         , m_walls(scene.frame)
         , m_lane(scene.lane)
         , m_changed(scene.bodies.size(), true)
-        , m_places(scene.bodies.size(), Place::Play)
+        , m_places(scene.bodies.size())
         , m_recorder(scene.bodies.size(), settings.keepDetail) {
         for (const Body& b : scene.bodies)
             m_discs.push_back(
@@ -54,7 +54,7 @@ public:
 
 private:
     std::size_t count() const { return m_discs.size(); }
-    bool inPlay(std::size_t i) const { return m_places[i] == Place::Play; }
+    bool inPlay(std::size_t i) const { return m_places[i].place == Place::Play; }
     bool full() const { return m_recorder.collisionCount() >= m_settings.maxCollisions; }
 
     // True when the most collisions allowed have happened.
@@ -109,14 +109,14 @@ private:
 
     void crossEdges(double time) {
         for (std::size_t i = 0; i < count(); ++i) {
-            const auto edge = nextLaneEvent(m_lane, m_discs[i].position, m_discs[i].velocity,
-                                            m_discs[i].radius, m_places[i]);
+            const auto edge = nextLaneEvent<Real>(m_lane, m_discs[i].position, m_discs[i].velocity, {},
+                                                  m_discs[i].radius, m_places[i]);
             if (edge.event == LaneEvent::None || edge.in > 0)
                 continue;
-            const Place before = m_places[i];
-            applyLaneEvent(edge.event, m_discs[i].velocity, m_places[i]);
-            if (m_places[i] != before)
-                m_recorder.departure({time, int(i), m_places[i]});
+            const Place before = m_places[i].place;
+            applyLaneEvent(edge.event, m_lane, m_discs[i].position, m_discs[i].velocity, m_places[i]);
+            if (m_places[i].place != before)
+                m_recorder.departure({time, int(i), m_places[i].place});
             m_changed[i] = true;
         }
     }
@@ -129,7 +129,7 @@ private:
                                         convert<double>(m_discs[i].position),
                                         convert<double>(m_discs[i].velocity),
                                         {},
-                                        m_places[i]});
+                                        m_places[i].place});
             m_changed[i] = false;
         }
     }
@@ -149,7 +149,7 @@ private:
     LaneEdges<Real> m_lane;
     std::vector<Disc<Real>> m_discs;
     std::vector<char> m_changed;
-    std::vector<Place> m_places;
+    std::vector<LanePlace> m_places;
     Recorder m_recorder;
 };
 

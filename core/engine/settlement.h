@@ -1,0 +1,214 @@
+// What happens where several bodies touch at one instant: ties, and the end of a cascade.
+//
+// Ties: all contacts that approach are reflected together, each with its own law of restitution
+// (core/collision/contact_group.h), and this repeats until none approaches. A chain passes its impulse on one
+// contact at a time; a ball on two pins strikes both at once.
+// Inelastic cascades: when an instant has seen too many passes and e < 1, all that touch are brought to rest
+// against each other in one perfectly inelastic pass.
+#pragma once
+
+#include "core/collision/contact_group.h"
+#include "core/engine/contact_cluster.h"
+#include "core/engine/pressing.h"
+
+namespace thetalane {
+
+template <class Real, class Models, class Search> class Settlement {
+public:
+    using Index = std::size_t;
+    using Velocities = std::vector<Vec2<Real>>;
+
+    Settlement(const Scene& scene, Search& search, const Surroundings<Real, Models>& around,
+               Recorder& recorder)
+        : m_search(search)
+        , m_around(around)
+        , m_recorder(recorder)
+        , m_cluster(search, around, Real(scene.restitution)) {}
+
+    // The cluster about the event, moved to now by `move`; its velocities.
+    template <class Move> void gather(const ContactName& event, const Real& now, bool all, Move&& move) {
+        m_cluster.gather(event, now, all);
+        m_velocities.clear();
+        for (const Index b : m_cluster.bodies()) {
+            move(b);
+            m_velocities.push_back(m_search.discs().velocity(b));
+        }
+        m_cluster.measure();
+    }
+    const std::vector<Index>& bodies() const { return m_cluster.bodies(); }
+    const std::vector<Touch<Real>>& touches() const { return m_cluster.touches(); }
+    const Velocities& velocities() const { return m_velocities; }
+
+    // Passes until none approaches; `close`: one inelastic pass over all. `lasts(touch, velocities)`: whether
+    // a contact that parts with these velocities is one that lasts, and so does not bounce.
+    template <class Lasts> void reflect(double time, bool close, Lasts&& lasts) {
+        const int most = passesPerBody * int(m_cluster.bodies().size());
+        for (int pass = 1; planApproaching(); ++pass) {
+            if (close || (pass > most && losesEnergy()))
+                return closeAll(time);
+            apply();
+            if (lastOnes(lasts))
+                apply();
+            record(time);
+            m_velocities = m_after;
+        }
+    }
+
+    static constexpr int passesPerBody = 16;
+
+private:
+    struct Planned {
+        Index touch = 0;
+        Real restitution{};
+        Real opening{};
+        Real impulse{};
+    };
+
+    Vec2<Real> relativeVelocity(const Touch<Real>& t, const Velocities& v) const {
+        return t.name.isWall() ? v[t.first] : v[t.first] - v[t.second];
+    }
+    Real opening(const Touch<Real>& t) const { return dot(t.normal(), relativeVelocity(t, m_velocities)); }
+
+    // Approaching by more than rounding; at a wall at all.
+    bool approaches(const Touch<Real>& t) const {
+        const Real u = opening(t);
+        if (t.name.isWall())
+            return u < Real(0);
+        const Vec2<Real>&a = m_velocities[t.first], &b = m_velocities[t.second];
+        const Real noise = approachNoise<Real>();
+        return u < Real(0) && u * u > noise * noise * (dot(a, a) + dot(b, b));
+    }
+
+    bool planApproaching() {
+        m_plan.clear();
+        const auto& touches = m_cluster.touches();
+        for (Index k = 0; k < touches.size(); ++k)
+            if (approaches(touches[k]))
+                m_plan.push_back({k, touches[k].restitution, opening(touches[k]), Real(0)});
+        return !m_plan.empty();
+    }
+    bool losesEnergy() const {
+        return std::any_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution < Real(1); });
+    }
+
+    // The plan's impulses, and m_after.
+    void apply() {
+        if (m_plan.size() == 1)
+            return applyAlone();
+        std::vector<GroupContact<Real>> contacts;
+        for (const Planned& p : m_plan) {
+            const Touch<Real>& t = m_cluster.touches()[p.touch];
+            const Real demand = p.opening < Real(0) ? Real((1 + p.restitution) * p.opening) : p.opening;
+            contacts.push_back(
+                {t.first, t.name.isWall() ? GroupContact<Real>::wall : t.second, t.normal(), demand});
+        }
+        std::vector<Real> inverseMass;
+        for (const Index b : m_cluster.bodies())
+            inverseMass.push_back(1 / m_search.discs().massOf(b));
+        const auto solution = solveContacts<Real>(contacts, inverseMass);
+        for (Index k = 0; k < m_plan.size(); ++k)
+            m_plan[k].impulse = solution.impulse[k];
+        m_after = m_velocities;
+        for (Index b = 0; b < m_after.size(); ++b)
+            m_after[b] = m_after[b] + solution.change[b];
+    }
+
+    // One contact is the paper's five steps.
+    void applyAlone() {
+        const Touch<Real>& t = m_cluster.touches()[m_plan[0].touch];
+        m_alone = t.name.isWall() ? collideWithSide<Real>(disc(t.first), t.name.side, m_plan[0].restitution)
+                                  : collide<Real>(disc(t.first), disc(t.second), m_plan[0].restitution);
+        m_plan[0].impulse = m_alone.impulse;
+        m_after = m_velocities;
+        m_after[t.first] = m_alone.after.first;
+        if (!t.name.isWall())
+            m_after[t.second] = m_alone.after.second;
+    }
+
+    template <class Lasts> bool lastOnes(Lasts&& lasts) {
+        bool changed = false;
+        for (Planned& p : m_plan) {
+            if (p.restitution == Real(0) || !lasts(m_cluster.touches()[p.touch], m_after))
+                continue;
+            p.restitution = Real(0);
+            changed = true;
+        }
+        return changed;
+    }
+
+    void closeAll(double time) {
+        m_plan.clear();
+        const auto& touches = m_cluster.touches();
+        for (Index k = 0; k < touches.size(); ++k)
+            m_plan.push_back({k, Real(0), opening(touches[k]), Real(0)});
+        apply();
+        record(time);
+        m_velocities = m_after;
+    }
+
+    Disc<Real> disc(Index place) const {
+        Disc<Real> d = m_search.discs().disc(m_cluster.bodies()[place]);
+        d.velocity = m_velocities[place];
+        return d;
+    }
+
+    // A contact that lasts keeps its two together by impulses without end: those are no collisions.
+    bool isCollision(const Planned& p) const {
+        const ContactName& name = m_cluster.touches()[p.touch].name;
+        const bool held = name.isWall() ? m_around.holdsWall(name.first, name.side)
+                                        : m_around.holdsPair(name.first, name.second);
+        return p.impulse > Real(0) && !(held && p.restitution == Real(0));
+    }
+
+    void record(double time) {
+        const auto collisions =
+            std::count_if(m_plan.begin(), m_plan.end(), [this](const Planned& p) { return isCollision(p); });
+        m_passes += collisions > 1;
+        for (const Planned& p : m_plan) {
+            if (!isCollision(p))
+                continue;
+            const ContactName& name = m_cluster.touches()[p.touch].name;
+            m_recorder.collision(time, int(name.first), name.isWall() ? -1 : int(name.second), name.side,
+                                 m_plan.size() == 1 ? m_alone : inTheGroup(p), collisions > 1 ? m_passes : 0);
+        }
+    }
+
+    PairCollision<Real> inTheGroup(const Planned& p) const {
+        const Touch<Real>& t = m_cluster.touches()[p.touch];
+        Disc<Real> second;
+        VelocityPair<Real> after{m_after[t.first], {}};
+        if (t.name.isWall()) {
+            second.mass = std::numeric_limits<Real>::infinity();
+            second.position = disc(t.first).position - t.normal() * t.contact.Z;
+        } else {
+            second = disc(t.second);
+            after.second = m_after[t.second];
+        }
+        auto steps = collideTogether<Real>(disc(t.first), second, t.contact, p.restitution, p.impulse, after);
+        steps.momentumResidual = momentumChange();
+        return steps;
+    }
+
+    // Of the whole pass; at a wall none is expected to stay.
+    Vec2<Real> momentumChange() const {
+        Vec2<Real> sum;
+        for (const Planned& p : m_plan)
+            if (m_cluster.touches()[p.touch].name.isWall())
+                return {};
+        for (Index b = 0; b < m_after.size(); ++b)
+            sum = sum + (m_after[b] - m_velocities[b]) * m_search.discs().massOf(m_cluster.bodies()[b]);
+        return sum;
+    }
+
+    Search& m_search;
+    const Surroundings<Real, Models>& m_around;
+    Recorder& m_recorder;
+    ContactCluster<Real, Models, Search> m_cluster;
+    Velocities m_velocities; // of the cluster's bodies
+    Velocities m_after;      // the pass
+    std::vector<Planned> m_plan;
+    PairCollision<Real> m_alone; // of a pass with one contact
+    int m_passes = 0;
+};
+
+} // namespace thetalane
