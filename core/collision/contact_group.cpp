@@ -251,9 +251,33 @@ private:
     std::vector<Vec2<Real>> m_change;
 };
 
-template <class Real> Vec2<Real> rounded(const Vec2<Quad>& v) {
-    return {static_cast<Real>(v.x), static_cast<Real>(v.y)};
-}
+// A body's change of velocity. What cancels but for the last of the 113 bits is zero: mirror images then stay
+// so.
+class Change {
+public:
+    void add(const Quad& x, const Quad& y) {
+        m_x.add(x);
+        m_y.add(y);
+    }
+    template <class Real> Vec2<Real> rounded() const {
+        return {static_cast<Real>(m_x.value()), static_cast<Real>(m_y.value())};
+    }
+
+private:
+    struct Sum {
+        Quad total{0};
+        Quad size{0};
+        void add(const Quad& q) {
+            total += q;
+            size += abs(q);
+        }
+        Quad value() const {
+            return abs(total) > 64 * std::numeric_limits<Quad>::epsilon() * size ? total : Quad(0);
+        }
+    };
+    Sum m_x;
+    Sum m_y;
+};
 
 } // namespace
 
@@ -264,18 +288,21 @@ GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
     const std::vector<Quad> impulses = contacts.size() <= mostExact
                                            ? exactImpulses<Real>(contacts, inverseMass)
                                            : Relaxation<Real>(contacts, inverseMass).solve();
-    std::vector<Vec2<Quad>> change(inverseMass.size());
+    std::vector<Change> change(inverseMass.size());
     GroupSolution<Real> out;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const auto& c = contacts[k];
-        const Vec2<Quad> push = Vec2<Quad>{Quad(c.normal.x), Quad(c.normal.y)} * impulses[k];
-        change[c.first] = change[c.first] + push * Quad(inverseMass[c.first]);
-        if (c.second != GroupContact<Real>::wall)
-            change[c.second] = change[c.second] - push * Quad(inverseMass[c.second]);
+        const Quad x = Quad(c.normal.x) * impulses[k], y = Quad(c.normal.y) * impulses[k];
+        const Quad first(inverseMass[c.first]);
+        change[c.first].add(x * first, y * first);
+        if (c.second != GroupContact<Real>::wall) {
+            const Quad second(inverseMass[c.second]);
+            change[c.second].add(-x * second, -y * second);
+        }
         out.impulse.push_back(static_cast<Real>(impulses[k]));
     }
-    for (const Vec2<Quad>& v : change)
-        out.change.push_back(rounded<Real>(v));
+    for (const Change& c : change)
+        out.change.push_back(c.rounded<Real>());
     return out;
 }
 

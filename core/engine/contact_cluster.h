@@ -41,9 +41,8 @@ public:
         , m_restitution(e)
         , m_place(search.discs().count(), absent) {}
 
-    // All that touch the event's bodies, those that touch these, and so on: only through contacts that
-    // approach, or through all.
-    void gather(const ContactName& event, const Real& now, bool all) {
+    // All that touch the event's bodies, those that touch these, and so on.
+    void gather(const ContactName& event, const Real& now) {
         for (const Index b : m_bodies)
             m_place[b] = absent;
         m_bodies.clear();
@@ -58,12 +57,11 @@ public:
             m_search.forEachNear(a, now, [&](Index b) {
                 if (!m_around.inPlay(b) || (m_place[b] != absent && m_place[b] < k))
                     return; // those before k have met all theirs
-                if (touches(a, b, now, all))
+                if (touches(a, b, now))
                     addPair(k, join(b));
             });
-            m_around.forEachWall(a, [&](EventKind kind, Side side, const Real& wall) {
-                addWall(k, kind, side, wall, now, all);
-            });
+            m_around.forEachWall(
+                a, [&](EventKind kind, Side side, const Real& wall) { addWall(k, kind, side, wall, now); });
         }
     }
 
@@ -90,7 +88,7 @@ private:
         return m_place[b];
     }
 
-    bool touches(Index a, Index b, const Real& now, bool all) const {
+    bool touches(Index a, Index b, const Real& now) const {
         const auto& discs = m_search.discs();
         const Vec2<Real> p = discs.positionAt(a, now), q = discs.positionAt(b, now);
         const Vec2<Real> d = p - q, v = discs.velocityAt(a, now) - discs.velocityAt(b, now);
@@ -98,9 +96,7 @@ private:
         const bool held = m_around.holdsPair(a, b);
         const Real limit =
             reach + touchingSlack<Real>(p, q, reach, now, v) + (held ? heldSlack(reach) : Real(0));
-        if (dot(d, d) > limit * limit)
-            return false;
-        return all || dot(d, v) < Real(0);
+        return dot(d, d) <= limit * limit;
     }
 
     void addPair(Index k, Index l) {
@@ -110,7 +106,7 @@ private:
             {{m_bodies[k], m_bodies[l], Side::Left}, EventKind::Pair, k, l, {}, m_restitution});
     }
 
-    void addWall(Index k, EventKind kind, Side side, const Real& wall, const Real& now, bool all) {
+    void addWall(Index k, EventKind kind, Side side, const Real& wall, const Real& now) {
         const auto& discs = m_search.discs();
         const Index a = m_bodies[k];
         const Vec2<Real> p = discs.positionAt(a, now), v = discs.velocityAt(a, now);
@@ -118,7 +114,7 @@ private:
         const auto approach = approachTo<Real>(side, wall, p, v, r);
         const bool held = Models::friction && m_around.holdsWall(a, side);
         const Real slack = touchingSlack<Real>(p, p, r, now, v) + (held ? heldSlack(r) : Real(0));
-        if (approach.gap > slack || !(all || approach.speed > Real(0)))
+        if (approach.gap > slack)
             return;
         m_touches.push_back(
             {{a, ContactName::nobody, side}, kind, k, ContactName::nobody, {}, m_around.restitutionOf(kind)});

@@ -26,8 +26,7 @@ public:
         , m_search(scene)
         , m_floor(scene)
         , m_recorder(scene.bodies.size(), settings.keepDetail)
-        , m_settlement(scene, m_search, m_around, m_recorder)
-        , m_cascade(cascadeOf(scene)) {}
+        , m_settlement(scene, m_search, m_around, m_recorder) {}
 
     // The rooms refer to each other.
     NextEventEngine(const NextEventEngine&) = delete;
@@ -67,7 +66,7 @@ private:
             return crossEdge(first.body, LaneEvent(event.detail));
         if constexpr (Models::friction)
             return settle(nameOf(first));
-        if (first.tied || cascades())
+        if (const bool again = isSameInstant(); again || first.tied)
             return settle(nameOf(first));
         if (event.kind == EventKind::Pair)
             collidePair(std::min<Index>(first.body, event.partner),
@@ -106,19 +105,18 @@ private:
 
     // All that touch at this instant, together.
     void settle(const ContactName& event) {
-        const bool close = !Models::friction && m_atThisInstant > m_cascade;
-        m_settlement.gather(event, m_now, Models::friction || close, [this](Index b) { moveTo(b); });
+        m_settlement.gather(event, m_now, [this](Index b) { moveTo(b); });
         const auto& bodies = m_settlement.bodies();
         if constexpr (Models::friction) {
             Pressing<Real> pressing(m_floor, discs(), m_settings.contactTime);
-            m_settlement.reflect(absolute(m_now), false,
+            m_settlement.reflect(absolute(m_now),
                                  [&](const auto& touch, const auto& v) { return pressing.lasts(touch, v); });
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
             for (Index k = 0; k < bodies.size(); ++k)
                 goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
         } else {
-            m_settlement.reflect(absolute(m_now), close, [](const auto&, const auto&) { return false; });
+            m_settlement.reflect(absolute(m_now), [](const auto&, const auto&) { return false; });
             for (Index k = 0; k < bodies.size(); ++k)
                 discs().setVelocity(bodies[k], m_settlement.velocities()[k]);
         }
@@ -128,19 +126,12 @@ private:
         m_search.changedCourse(m_around, std::span<const Index>(bodies), m_now);
     }
 
-    // Too many collisions at what is one instant: a cascade that would go on below all rounding.
-    bool cascades() {
-        if (m_now - m_instant > tieWindow<Real>(m_now)) {
-            m_instant = m_now;
-            m_atThisInstant = 0;
-        }
-        return ++m_atThisInstant > m_cascade;
-    }
-    static std::int64_t cascadeOf(const Scene& scene) {
-        const bool elastic =
-            scene.restitution == 1 && (!scene.frame || scene.frame->restitution == 1) &&
-            (!scene.lane || !scene.lane->kickbacks || scene.lane->kickbacks->restitution == 1);
-        return elastic ? std::numeric_limits<std::int64_t>::max() : 16 * std::int64_t(scene.bodies.size());
+    // A contact at what is still the instant of the last one: bodies that touch pass something on, which may
+    // go to and fro below all rounding. Then all that touch are looked at together.
+    bool isSameInstant() {
+        const bool again = m_now - m_lastContact <= tieWindow<Real>(m_now);
+        m_lastContact = m_now;
+        return again;
     }
 
     void moveTo(Index i) {
@@ -243,7 +234,7 @@ private:
         m_epoch = m_epoch + shift;
         m_now = m_now - shift;
         m_until = m_until - shift;
-        m_instant = m_instant - shift;
+        m_lastContact = m_lastContact - shift;
         m_search.shiftTime(shift);
     }
 
@@ -270,9 +261,7 @@ private:
     FloorMotion<Real> m_floor;
     Recorder m_recorder;
     Settlement<Real, Models, Search> m_settlement;
-    std::int64_t m_cascade; // the most collisions of one instant
-    std::int64_t m_atThisInstant = 0;
-    Real m_instant{0};
+    Real m_lastContact{-1};
 };
 
 } // namespace thetalane

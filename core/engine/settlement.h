@@ -26,8 +26,8 @@ public:
         , m_cluster(search, around, Real(scene.restitution)) {}
 
     // The cluster about the event, moved to now by `move`; its velocities.
-    template <class Move> void gather(const ContactName& event, const Real& now, bool all, Move&& move) {
-        m_cluster.gather(event, now, all);
+    template <class Move> void gather(const ContactName& event, const Real& now, Move&& move) {
+        m_cluster.gather(event, now);
         m_velocities.clear();
         for (const Index b : m_cluster.bodies()) {
             move(b);
@@ -39,12 +39,12 @@ public:
     const std::vector<Touch<Real>>& touches() const { return m_cluster.touches(); }
     const Velocities& velocities() const { return m_velocities; }
 
-    // Passes until none approaches; `close`: one inelastic pass over all. `lasts(touch, velocities)`: whether
-    // a contact that parts with these velocities is one that lasts, and so does not bounce.
-    template <class Lasts> void reflect(double time, bool close, Lasts&& lasts) {
+    // Passes until none approaches. `lasts(touch, velocities)`: whether a contact that parts with these
+    // velocities is one that lasts, and so does not bounce.
+    template <class Lasts> void reflect(double time, Lasts&& lasts) {
         const int most = passesPerBody * int(m_cluster.bodies().size());
         for (int pass = 1; planApproaching(); ++pass) {
-            if (close || (pass > most && losesEnergy()))
+            if ((pass > most && losesEnergy()) || endsAtOnce())
                 return closeAll(time);
             apply();
             if (lastOnes(lasts))
@@ -54,7 +54,7 @@ public:
         }
     }
 
-    static constexpr int passesPerBody = 16;
+    static constexpr int passesPerBody = 32;
 
 private:
     struct Planned {
@@ -62,6 +62,7 @@ private:
         Real restitution{};
         Real opening{};
         Real impulse{};
+        Real lossShare{}; // of a closing pass alone [J]
     };
 
     Vec2<Real> relativeVelocity(const Touch<Real>& t, const Velocities& v) const {
@@ -75,7 +76,7 @@ private:
         if (t.name.isWall())
             return u < Real(0);
         const Vec2<Real>&a = m_velocities[t.first], &b = m_velocities[t.second];
-        const Real noise = approachNoise<Real>();
+        const Real noise = approachNoise<Real>() / 2; // surely less than what the prediction asked for
         return u < Real(0) && u * u > noise * noise * (dot(a, a) + dot(b, b));
     }
 
@@ -89,6 +90,12 @@ private:
     }
     bool losesEnergy() const {
         return std::any_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution < Real(1); });
+    }
+
+    // Without any bounce the passes to and fro would end where one pass over all contacts ends.
+    bool endsAtOnce() const {
+        return m_cluster.touches().size() > 1 &&
+               std::all_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution == Real(0); });
     }
 
     // The plan's impulses, and m_after.
@@ -142,8 +149,33 @@ private:
         for (Index k = 0; k < touches.size(); ++k)
             m_plan.push_back({k, Real(0), opening(touches[k]), Real(0)});
         apply();
+        shareLoss();
         record(time);
+        stopTheRest();
         m_velocities = m_after;
+    }
+
+    // What came to rest but for rounding is at rest.
+    void stopTheRest() {
+        using std::abs;
+        Real most(0);
+        for (const Vec2<Real>& v : m_velocities)
+            most = std::max({most, Real(abs(v.x)), Real(abs(v.y))});
+        const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * most;
+        for (Vec2<Real>& v : m_after)
+            v = {abs(v.x) > rounding ? v.x : Real(0), abs(v.y) > rounding ? v.y : Real(0)};
+    }
+
+    // One contact may do work that another takes up: the loss of the whole pass, by impulse.
+    void shareLoss() {
+        Real lost(0), impulses(0);
+        for (const Planned& p : m_plan) {
+            const Touch<Real>& t = m_cluster.touches()[p.touch];
+            lost -= p.impulse * (p.opening + dot(t.normal(), relativeVelocity(t, m_after))) / 2;
+            impulses += p.impulse;
+        }
+        for (Planned& p : m_plan)
+            p.lossShare = lost > Real(0) ? Real(lost * p.impulse / impulses) : Real(0);
     }
 
     Disc<Real> disc(Index place) const {
@@ -186,6 +218,8 @@ private:
         }
         auto steps = collideTogether<Real>(disc(t.first), second, t.contact, p.restitution, p.impulse, after);
         steps.momentumResidual = momentumChange();
+        if (p.lossShare > Real(0))
+            steps.energyLoss = p.lossShare;
         return steps;
     }
 
