@@ -30,6 +30,11 @@ Real touchingSlack(const Vec2<Real>& a, const Vec2<Real>& b, const Real& reach, 
     return 32 * std::numeric_limits<Real>::epsilon() * scale;
 }
 
+// What lasts may drift apart by a little between two looks [m].
+template <class Real> Real heldSlack(const Real& reach) {
+    return reach * Real(1e-9f);
+}
+
 template <class Real, class Models, class Search> class ContactCluster {
 public:
     using Index = std::size_t;
@@ -95,7 +100,7 @@ private:
         const Real reach = discs.radiusOf(a) + discs.radiusOf(b);
         const bool held = m_around.holdsPair(a, b);
         const Real limit =
-            reach + touchingSlack<Real>(p, q, reach, now, v) + (held ? heldSlack(reach) : Real(0));
+            reach + touchingSlack<Real>(p, q, reach, now, v) + (held ? heldSlack<Real>(reach) : Real(0));
         return dot(d, d) <= limit * limit;
     }
 
@@ -113,15 +118,12 @@ private:
         const Real r = discs.radiusOf(a);
         const auto approach = approachTo<Real>(side, wall, p, v, r);
         const bool held = Models::friction && m_around.holdsWall(a, side);
-        const Real slack = touchingSlack<Real>(p, p, r, now, v) + (held ? heldSlack(r) : Real(0));
+        const Real slack = touchingSlack<Real>(p, p, r, now, v) + (held ? heldSlack<Real>(r) : Real(0));
         if (approach.gap > slack)
             return;
         m_touches.push_back(
             {{a, ContactName::nobody, side}, kind, k, ContactName::nobody, {}, m_around.restitutionOf(kind)});
     }
-
-    // What lasts may drift apart by a little between two looks.
-    static Real heldSlack(const Real& reach) { return reach * Real(1e-9f); }
 
     Search& m_search;
     const Surroundings<Real, Models>& m_around;

@@ -69,7 +69,7 @@ public:
         }
         b.push = push;
         if (!(push == Vec2<Real>{}))
-            limit(b, push, atMost);
+            limit(b, floorOf(i), push, atMost);
         discs.setAcceleration(i, b.stretch.acceleration, now + b.stretch.lasts);
     }
 
@@ -77,8 +77,15 @@ public:
     void moveTo(Discs& discs, std::size_t i, const Real& now) {
         OneBody& b = m_bodies[i];
         const Real elapsed = now - discs.since(i);
+        const Real speed = norm(b.state.velocity);
         b.state = now >= discs.until(i) ? stateAfter<Real>(b.state, b.stretch, b.body, floorOf(i))
                                         : stateWithin<Real>(b.state, b.stretch, b.body, floorOf(i), elapsed);
+        // Pushed to a stop: what is left of its speed is rounding.
+        if (!(b.push == Vec2<Real>{}) && norm(b.state.velocity) <= stopped * speed) {
+            b.state.velocity = {};
+            if (b.state.phase != FloorPhase::Sliding)
+                rest(b.state);
+        }
         discs.put(i, b.state.position, b.state.velocity, now);
     }
 
@@ -100,6 +107,8 @@ public:
     }
 
 private:
+    static inline const Real stopped = 4096 * std::numeric_limits<Real>::epsilon();
+
     struct OneBody {
         FloorBody<Real> body;
         FloorState<Real> state;
@@ -128,15 +137,21 @@ private:
     }
 
     // Under a push the phase's closed form holds for a short while only, and no longer than until the body
-    // would turn back: then it is asked anew.
-    static void limit(OneBody& b, const Vec2<Real>& push, const Real& atMost) {
+    // would turn back, or its slip: then it is asked anew.
+    static void limit(OneBody& b, const Floor<Real>& floor, const Vec2<Real>& push, const Real& atMost) {
+        Real lasts = atMost;
+        if (b.state.phase == FloorPhase::Sliding && b.body.rolls()) {
+            const Real slowing = deceleration<Real>(b.state, b.body, floor) * b.body.slipLoss() -
+                                 dot(push, b.state.slipDirection);
+            if (slowing > Real(0))
+                lasts = std::min(lasts, Real(b.state.slip / slowing));
+        }
         b.stretch.acceleration = b.stretch.acceleration + push;
-        b.stretch.lasts = std::min(b.stretch.lasts, atMost);
-        b.stretch.change = FloorChange::None;
         const Real slowing = -dot(b.stretch.acceleration, b.state.velocity);
         if (slowing > Real(0))
-            b.stretch.lasts =
-                std::min(b.stretch.lasts, Real(dot(b.state.velocity, b.state.velocity) / slowing));
+            lasts = std::min(lasts, Real(dot(b.state.velocity, b.state.velocity) / slowing));
+        b.stretch.lasts = lasts;
+        b.stretch.change = FloorChange::None;
     }
 
     Floor<Real> m_ballFloor;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/engine/engine.h"
+#include "core/engine/first_event.h"
 #include "core/engine/settlement.h"
 
 #include <algorithm>
@@ -109,14 +110,15 @@ private:
         const auto& bodies = m_settlement.bodies();
         if constexpr (Models::friction) {
             Pressing<Real> pressing(m_floor, discs(), m_settings.contactTime);
-            m_settlement.reflect(absolute(m_now),
-                                 [&](const auto& touch, const auto& v) { return pressing.lasts(touch, v); });
+            m_settlement.reflect(absolute(m_now), [&](const auto& touch, const auto& v) {
+                return pressing.slowestRebound(m_settlement.touches(), touch, v);
+            });
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
             for (Index k = 0; k < bodies.size(); ++k)
                 goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
         } else {
-            m_settlement.reflect(absolute(m_now), [](const auto&, const auto&) { return false; });
+            m_settlement.reflect(absolute(m_now), [](const auto&, const auto&) { return Real(0); });
             for (Index k = 0; k < bodies.size(); ++k)
                 discs().setVelocity(bodies[k], m_settlement.velocities()[k]);
         }

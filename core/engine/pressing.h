@@ -25,10 +25,11 @@ public:
         , m_discs(discs)
         , m_contactTime(contactTime) {}
 
-    // Whether, parting with velocities v, the two would be back within the contact time.
-    bool lasts(const Touch<Real>& t, const Velocities& v) const {
-        const Real rebound = opening(t, v);
-        return rebound >= Real(0) && 2 * rebound <= -acceleration(t, v) * m_contactTime;
+    // A contact that would part no faster than this would be back within the contact time; 0 if nothing
+    // presses it. Among several, one may be pressed by what presses another.
+    Real slowestRebound(const Touches& touches, const Touch<Real>& t, const Velocities& v) const {
+        const Real closing = touches.size() > 1 ? strongest(touches, v) : Real(-acceleration(t, v));
+        return closing > Real(0) ? Real(closing * m_contactTime / 2) : Real(0);
     }
 
     // The forces of a cluster whose bodies have velocities v. pushes(): each body's acceleration by them;
@@ -37,11 +38,12 @@ public:
         m_pushes.assign(bodies.size(), {});
         m_pressed.clear();
         m_holdsFor = Real(longestHold);
-        for (Index k = 0; k < touches.size(); ++k)
-            if (isPressed(touches[k], v))
-                m_pressed.push_back(k);
-        if (m_pressed.empty())
+        if (touches.empty() || !anyPressed(touches, v))
             return;
+        const Real slow = strongest(touches, v) * m_contactTime / 2;
+        for (Index k = 0; k < touches.size(); ++k)
+            if (const Real u = opening(touches[k], v); u <= slow && -u <= slow)
+                m_pressed.push_back(k);
         for (const Index k : m_pressed)
             m_holdsFor = std::min(m_holdsFor, steadyFor(touches[k], v));
         find(bodies, touches, v);
@@ -53,12 +55,16 @@ public:
 private:
     static constexpr double longestHold = 5e-3; // s
 
-    // How fast the gap opens [m/s].
-    Real opening(const Touch<Real>& t, const Velocities& v) const {
-        return dot(t.normal(), between(t, v[t.first], t.name.isWall() ? Vec2<Real>{} : v[t.second]));
+    // Of the first body relative to the second, or to a wall; what is kept by the bodies' places.
+    static Vec2<Real> between(const Touch<Real>& t, const Velocities& of, const Vec2<Real>& wall) {
+        return of[t.first] - (t.name.isWall() ? wall : of[t.second]);
     }
-    static Vec2<Real> between(const Touch<Real>& t, const Vec2<Real>& first, const Vec2<Real>& second) {
-        return t.name.isWall() ? first : first - second;
+    // How fast the gap opens, and how fast they slide by each other [m/s].
+    Real opening(const Touch<Real>& t, const Velocities& v) const {
+        return dot(t.normal(), between(t, v, {}));
+    }
+    Real across(const Touch<Real>& t, const Velocities& v) const {
+        return cross(t.normal(), between(t, v, {}));
     }
     Vec2<Real> frictionOf(Index body, const Vec2<Real>& v) const {
         return m_floor.frictionAt(body, m_discs.position(body), v);
@@ -71,63 +77,82 @@ private:
     Real turning(const Touch<Real>& t, const Velocities& v) const {
         if (t.name.isWall())
             return Real(0);
-        const Real across = cross(t.normal(), v[t.first] - v[t.second]);
-        return across * across / t.contact.Z;
+        const Real w = across(t, v);
+        return w * w / t.contact.Z;
     }
     Real acceleration(const Touch<Real>& t, const Velocities& v) const {
         return dot(t.normal(), relativeFriction(t, v)) + turning(t, v);
     }
 
-    bool isPressed(const Touch<Real>& t, const Velocities& v) const {
-        using std::abs;
-        const Vec2<Real> a = relativeFriction(t, v);
-        const Real closing = -(dot(t.normal(), a) + turning(t, v));
-        const Real rounding = 65536 * std::numeric_limits<Real>::epsilon() * norm(a);
-        return closing > rounding && 2 * abs(opening(t, v)) <= closing * m_contactTime;
+    // The largest difference that friction makes between two that touch [m/s²].
+    Real strongest(const Touches& touches, const Velocities& v) const {
+        Real most(0);
+        for (const Touch<Real>& t : touches)
+            most = std::max(most, norm(relativeFriction(t, v)));
+        return most;
     }
 
-    // How long the gap stays within 1e-13 of the reach while the line of centres turns: it changes by
-    // w b t³/2Z, b the relative acceleration across.
+    // By friction alone, by more than rounding, and not about to part.
+    bool anyPressed(const Touches& touches, const Velocities& v) const {
+        return std::any_of(touches.begin(), touches.end(), [&](const Touch<Real>& t) {
+            const Vec2<Real> a = relativeFriction(t, v);
+            const Real closing = -(dot(t.normal(), a) + turning(t, v));
+            return closing > 65536 * std::numeric_limits<Real>::epsilon() * norm(a) &&
+                   2 * opening(t, v) <= closing * m_contactTime;
+        });
+    }
+
+    // How long until the gap has opened by a quarter of what a held contact may drift: the terms in t⁴ of
+    //     |Z n + (w t + ½ b t²) τ - ½ (w²/Z) t² n|, b the relative acceleration across.
     Real steadyFor(const Touch<Real>& t, const Velocities& v) const {
-        using std::abs;
-        using std::pow;
-        const Real shortest = m_contactTime / 16;
+        using std::sqrt;
         if (t.name.isWall())
             return Real(longestHold);
-        const Real w = abs(cross(t.normal(), v[t.first] - v[t.second]));
-        const Real b = abs(cross(t.normal(), relativeFriction(t, v))) + w * w / t.contact.Z;
-        const Real allowed = 2e-13 * t.contact.Z * t.contact.Z;
-        if (!(w * b > Real(0)))
+        const Real Z = t.contact.Z, w = across(t, v), b = norm(relativeFriction(t, v));
+        const Real growth = (w * w * w * w / (Z * Z) + b * b) / (8 * Z);
+        if (!(growth > Real(0)))
             return Real(longestHold);
-        const Real time = Real(pow(Real(allowed / (w * b)), Real(1) / 3));
-        return time > shortest ? time : shortest;
+        const Real time = sqrt(sqrt(Real(heldSlack<Real>(Z) / 4 / growth)));
+        return std::min(Real(longestHold), std::max(time, Real(m_contactTime / 16)));
     }
 
-    // The forces; a body at rest holds still until they exceed what friction can hold.
+    // The forces; a body at rest holds still until they exceed what friction can hold. How the line of
+    // centres goes on turning depends on the forces themselves: a few rounds settle that.
     void find(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
         m_loose.assign(bodies.size(), {});
         std::vector<bool> held(bodies.size());
         for (Index b = 0; b < bodies.size(); ++b)
             held[b] = m_floor.wouldRest(bodies[b], v[b]);
-        for (;;) {
-            const auto solution = solveContacts<Real>(demands(touches, v), inverseMasses(bodies, v, held));
-            if (!loosen(bodies, touches, solution.impulse, held)) {
-                for (Index b = 0; b < bodies.size(); ++b)
-                    m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
-                keepThoseThatPush(solution.impulse);
-                return;
-            }
+        GroupSolution<Real> solution;
+        for (int round = 0; round < 4;) {
+            solution = solveContacts<Real>(demands(touches, v), inverseMasses(bodies, v, held));
+            for (Index b = 0; b < bodies.size(); ++b)
+                m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
+            round = loosen(bodies, touches, solution.impulse, held) ? 0 : round + 1;
         }
+        keepThoseThatPush(solution.impulse);
     }
 
+    // By how much each gap would open: the acceleration now; what closes a gap that has drifted by the end of
+    // the hold; and, where the turning slows (w b < 0), what keeps the gap from closing as it does.
     std::vector<GroupContact<Real>> demands(const Touches& touches, const Velocities& v) const {
         std::vector<GroupContact<Real>> contacts;
         for (const Index k : m_pressed) {
             const Touch<Real>& t = touches[k];
-            const bool wall = t.name.isWall();
-            Real demand = acceleration(t, v) + opening(t, v) / m_holdsFor;
-            demand += dot(t.normal(), between(t, m_loose[t.first], wall ? Vec2<Real>{} : m_loose[t.second]));
-            contacts.push_back({t.first, wall ? GroupContact<Real>::wall : t.second, t.normal(), demand});
+            Real demand =
+                acceleration(t, v) + opening(t, v) / m_holdsFor + dot(t.normal(), between(t, m_loose, {}));
+            if (!t.name.isWall()) {
+                const Real drift =
+                    t.contact.Z - m_discs.radiusOf(t.name.first) - m_discs.radiusOf(t.name.second);
+                const Real slowing =
+                    across(t, v) * cross(t.normal(), relativeFriction(t, v) + between(t, m_pushes, {}));
+                if (drift > Real(0))
+                    demand += 2 * drift / (m_holdsFor * m_holdsFor);
+                if (slowing < Real(0))
+                    demand += slowing * m_holdsFor / t.contact.Z;
+            }
+            contacts.push_back(
+                {t.first, t.name.isWall() ? GroupContact<Real>::wall : t.second, t.normal(), demand});
         }
         return contacts;
     }

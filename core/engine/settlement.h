@@ -39,15 +39,15 @@ public:
     const std::vector<Touch<Real>>& touches() const { return m_cluster.touches(); }
     const Velocities& velocities() const { return m_velocities; }
 
-    // Passes until none approaches. `lasts(touch, velocities)`: whether a contact that parts with these
-    // velocities is one that lasts, and so does not bounce.
-    template <class Lasts> void reflect(double time, Lasts&& lasts) {
+    // Passes until none approaches. `slowestRebound(touch, velocities)`: a contact that would part no faster
+    // lasts, and so does not bounce.
+    template <class SlowestRebound> void reflect(double time, SlowestRebound&& slowestRebound) {
         const int most = passesPerBody * int(m_cluster.bodies().size());
         for (int pass = 1; planApproaching(); ++pass) {
             if ((pass > most && losesEnergy()) || endsAtOnce())
-                return closeAll(time);
+                return closeAll(time, slowestRebound);
             apply();
-            if (lastOnes(lasts))
+            if (stopBouncing(slowestRebound))
                 apply();
             record(time);
             m_velocities = m_after;
@@ -62,7 +62,9 @@ private:
         Real restitution{};
         Real opening{};
         Real impulse{};
-        Real lossShare{}; // of a closing pass alone [J]
+        Real lossShare{};   // of a closing pass alone [J]
+        bool lasts = false; // it does not bounce, and
+        bool meets = true;  // was not in contact before
     };
 
     Vec2<Real> relativeVelocity(const Touch<Real>& t, const Velocities& v) const {
@@ -85,7 +87,8 @@ private:
         const auto& touches = m_cluster.touches();
         for (Index k = 0; k < touches.size(); ++k)
             if (approaches(touches[k]))
-                m_plan.push_back({k, touches[k].restitution, opening(touches[k]), Real(0)});
+                m_plan.push_back(
+                    {.touch = k, .restitution = touches[k].restitution, .opening = opening(touches[k])});
         return !m_plan.empty();
     }
     bool losesEnergy() const {
@@ -132,23 +135,32 @@ private:
             m_after[t.second] = m_alone.after.second;
     }
 
-    template <class Lasts> bool lastOnes(Lasts&& lasts) {
+    template <class SlowestRebound> bool stopBouncing(SlowestRebound&& slowestRebound) {
         bool changed = false;
         for (Planned& p : m_plan) {
-            if (p.restitution == Real(0) || !lasts(m_cluster.touches()[p.touch], m_after))
+            const Touch<Real>& t = m_cluster.touches()[p.touch];
+            const Real slowest = slowestRebound(t, m_after);
+            if (!(slowest > Real(0)) || dot(t.normal(), relativeVelocity(t, m_after)) > slowest)
                 continue;
+            changed |= p.restitution > Real(0);
             p.restitution = Real(0);
-            changed = true;
+            p.lasts = true;
+            p.meets = -p.opening > slowest;
         }
         return changed;
     }
 
-    void closeAll(double time) {
+    template <class SlowestRebound> void closeAll(double time, SlowestRebound&& slowestRebound) {
         m_plan.clear();
         const auto& touches = m_cluster.touches();
         for (Index k = 0; k < touches.size(); ++k)
-            m_plan.push_back({k, Real(0), opening(touches[k]), Real(0)});
+            m_plan.push_back({.touch = k, .opening = opening(touches[k])});
         apply();
+        for (Planned& p : m_plan) {
+            const Real slowest = slowestRebound(touches[p.touch], m_after);
+            p.lasts = slowest > Real(0);
+            p.meets = -p.opening > slowest;
+        }
         shareLoss();
         record(time);
         stopTheRest();
@@ -189,7 +201,7 @@ private:
         const ContactName& name = m_cluster.touches()[p.touch].name;
         const bool held = name.isWall() ? m_around.holdsWall(name.first, name.side)
                                         : m_around.holdsPair(name.first, name.second);
-        return p.impulse > Real(0) && !(held && p.restitution == Real(0));
+        return p.impulse > Real(0) && p.meets && !(held && p.lasts);
     }
 
     void record(double time) {
