@@ -29,12 +29,13 @@ void printStep(const WorkedStep& step) {
 
 QString tieText(const Collision& c) {
     if (c.together == 1)
-        return ExplainCommandText::tr("Other bodies meet at the same instant: tie %1, pass %2, alone in it.")
+        return ExplainCommandText::tr("Several contacts meet at this instant (tie %1); this one is resolved "
+                                      "alone, in pass %2")
             .arg(c.group)
             .arg(c.pass);
     return ExplainCommandText::tr(
-               "Other bodies meet at the same instant: tie %1, pass %2, one of %3 contacts "
-               "resolved together.")
+               "Several contacts meet at this instant (tie %1); this one is resolved in pass "
+               "%2, %3 together")
         .arg(c.group)
         .arg(c.pass)
         .arg(c.together);

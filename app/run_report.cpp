@@ -112,8 +112,9 @@ void printCollisions(const Run& run) {
     });
     printLine();
     if (ties) {
-        printLine(RunReportText::tr("Tie 1.2: of the first instant at which several meet, the second pass; "
-                                    "contacts of one pass are resolved together."));
+        printLine(
+            RunReportText::tr("1.2 under Tie: the first instant at which several contacts meet, its second "
+                              "pass. Contacts of one pass are resolved together."));
         printLine();
     }
 }

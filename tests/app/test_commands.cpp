@@ -229,30 +229,30 @@ private slots:
         QTest::newRow("oil")
             << QByteArray("\"to\": -6.096") << QByteArray("\"to\": -20")
             << "friction.oil[0].to: must be greater than -18.288, where the oil begins, is -20"
-            << "friction.oil[0].to: 오일이 시작하는 -18.288보다 커야 합니다 (지금: -20)";
+            << "friction.oil[0].to: 오일이 시작하는 -18.288보다 커야 하는데 -20입니다";
         QTest::newRow("oils") << QByteArray("\"oil\": [")
                               << QByteArray("\"oil\": [{\"from\": -19, \"to\": -18, \"friction\": 0},")
                               << "friction.oil[1].from: must be at least -18, where friction.oil[0] ends, is "
                                  "-18.288"
-                              << "friction.oil[1].from: friction.oil[0]이(가) 끝나는 -18 이상이어야 합니다";
+                              << "friction.oil[1].from: friction.oil[0]의 끝 -18 이상이어야 하는데";
         QTest::newRow("kickbacks")
             << QByteArray("{\"from\": -0.1") << QByteArray("{\"from\": 1")
             << "lane.kickbacks.from: must be from -18.288, the foul line, to 0.868, the "
                "end of the lane, is 1"
-            << "lane.kickbacks.from: 파울 라인 -18.288부터 레인의 끝 0.868까지여야 합니다";
+            << "lane.kickbacks.from: 파울 라인 -18.288부터 레인의 끝 0.868까지여야 하는데 1입니다";
         QTest::newRow("gravity") << QByteArray("\"ball\": 0.2")
                                  << QByteArray("\"ball\": 0.2, \"gravity\": -1")
                                  << "friction.gravity: must be greater than 0, is -1"
                                  << "friction.gravity: 0보다 커야 합니다";
         QTest::newRow("inertia") << QByteArray("\"velocity\"") << QByteArray("\"inertia\": 2, \"velocity\"")
                                  << "bodies[0].inertia: must be greater than 0 and at most 1, is 2"
-                                 << "bodies[0].inertia: 0보다 크고 1 이하여야 합니다";
+                                 << "bodies[0].inertia: 0보다 크고 1 이하여야 하는데 2입니다";
         QTest::newRow("spin") << QByteArray("\"velocity\"") << QByteArray("\"spin\": [1], \"velocity\"")
                               << "bodies[0].spin: must be three numbers: [x, y, z]"
-                              << "bodies[0].spin: 세 수여야 합니다: [x, y, z]";
+                              << "bodies[0].spin: 세 수 [x, y, z]여야 합니다";
         QTest::newRow("id") << QByteArray("\"ball\", \"kind\"") << QByteArray("\"wall:top\", \"kind\"")
                             << "bodies[0].id: \"wall:top\" begins with \"wall:\""
-                            << "bodies[0].id: \"wall:top\"의 첫머리";
+                            << "bodies[0].id: \"wall:top\" id는 쓸 수 없습니다";
         QTest::newRow("number") << QByteArray("\"ball\": 0.2,") << QByteArray("\"ball\": .2,")
                                 << "not valid JSON: a number needs a digit on each side of its point"
                                 << "소수점의 앞뒤";

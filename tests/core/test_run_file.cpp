@@ -54,8 +54,9 @@ Run handMadeRun() {
     scene.friction = Friction{};
     scene.friction->ball = 0.2;
     TimelineRecord record;
-    record.segments = {
-        {0, {0, {0, 0}, {3, 0}, {-2, 0}}}, {1, {0, {1, 0}, {0, 1}, {0, -4}}}, {1, {0.25, {1, 0.125}}}};
+    record.segments = {{0, {0, {0, 0}, {3, 0}, {-2, 0}}},
+                       {1, {0, {1, 0}, {0, 1}, {0, -4}}},
+                       {1, {0.25, {1, 0.125}, {}, {}}}};
     record.rotations = {
         {{1, -2, 5}, {0.5, 4, 0}, FloorPhase::Sliding}, {{9, 9, 9}, {}, FloorPhase::Sliding}, {}};
     Collision c;
