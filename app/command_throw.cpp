@@ -97,7 +97,7 @@ std::optional<Friction> frictionAsked(Arguments& a) {
     const double length = a.number("oil-length", regulation::houseOilLength,
                                    closed(0, regulation::foulLineToHeadPin + regulation::headPinToEnd));
     oil.to = oil.from + length;
-    if (length == 0)
+    if (!(oil.from < oil.to)) // also of a length that rounding swallows
         friction.oil.clear();
     if (!a.has("no-friction"))
         return friction;
