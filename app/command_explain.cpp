@@ -27,14 +27,36 @@ void printStep(const WorkedStep& step) {
         printLine("    " + oneLine(plainText(line)));
 }
 
+QString tieText(const Collision& c) {
+    if (c.together == 1)
+        return ExplainCommandText::tr("Several contacts meet at this instant (tie %1); this one is resolved "
+                                      "alone, in pass %2")
+            .arg(c.group)
+            .arg(c.pass);
+    return ExplainCommandText::tr(
+               "Several contacts meet at this instant (tie %1); this one is resolved in pass "
+               "%2, %3 together")
+        .arg(c.group)
+        .arg(c.pass)
+        .arg(c.together);
+}
+
 void printExplanation(const Run& run, std::size_t index, Language::Code language) {
     const Collision& collision = run.timeline.collisions()[index];
     printHeading(run, language);
     printLine(
         ExplainCommandText::tr("Collision %1: %2, at %3 s")
             .arg(QString::number(index + 1), pairText(run.scene, collision), numberText(collision.time, 6)));
+    if (collision.group > 0)
+        printLine(tieText(collision));
     for (const WorkedStep& step : workedSteps(run.scene, collision))
         printStep(step);
+}
+
+// As many collisions as it takes to see collision `number` and all that it was resolved together with: discs
+// touch at no more than three points each, and two walls.
+std::int64_t enoughToSee(qint64 number, const Scene& scene) {
+    return number + 5 * std::int64_t(scene.bodies.size());
 }
 
 QString noSuchCollision(const QString& scene, qint64 asked, std::int64_t count) {
@@ -62,7 +84,8 @@ int explainCommand(const Call& call) {
     auto scene = loadScene(a.positional());
     if (const auto* fault = std::get_if<QString>(&scene))
         return wrongCall(*fault);
-    settings.maxCollisions = std::min<std::int64_t>(settings.maxCollisions, number); // the rest is not asked
+    settings.maxCollisions = // the rest is not asked
+        std::min(settings.maxCollisions, enoughToSee(number, std::get<Scene>(scene)));
     const auto outcome = simulateOrTell(std::get<Scene>(std::move(scene)), settings);
     if (const auto* fault = std::get_if<QString>(&outcome))
         return wrongCall(*fault);

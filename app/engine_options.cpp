@@ -16,6 +16,13 @@ constexpr std::string_view engineWords[] = {"event", "stepped", "auto"};
 constexpr std::string_view precisionWords[] = {"float", "double", "quad"};
 
 // An option that the engine would leave unread is a mistake worth telling.
+void needsEvent(Arguments& arguments, const QString& option) {
+    if (arguments.has(option))
+        arguments.note(
+            "--" + option + ": " +
+            EngineOptionsText::tr("the stepped engine does not take this; leave one of the two out"));
+}
+
 void needsStepped(Arguments& arguments, const QString& option) {
     if (arguments.has(option))
         arguments.note("--" + option + ": " +
@@ -48,6 +55,9 @@ void takeEngineOptions(Arguments& a) {
     a.takesFlag("approaching-only", EngineOptionsText::tr("stepped: exchanges only when the two approach"));
     a.takesValue("precision", "float|double|quad",
                  EngineOptionsText::tr("the engine's numbers; double unless said"));
+    a.takesValue("contact-time", "S",
+                 EngineOptionsText::tr("bodies that friction presses together stay in touch when they would "
+                                       "meet again sooner [s]; 0.0001 unless said"));
 }
 
 EngineSettings engineSettings(Arguments& a) {
@@ -58,9 +68,12 @@ EngineSettings engineSettings(Arguments& a) {
     s.maxCollisions = a.count("max-collisions", s.maxCollisions);
     s.step = a.number("step", s.step, positive);
     s.approachingOnly = a.has("approaching-only");
+    s.contactTime = a.number("contact-time", s.contactTime, positive);
     if (s.kind == EngineKind::Event) {
         needsStepped(a, "step");
         needsStepped(a, "approaching-only");
+    } else {
+        needsEvent(a, "contact-time");
     }
     return s;
 }

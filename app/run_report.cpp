@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,15 @@ QString engineText(const EngineSettings& s) {
     return text + ", " + fileName(s.precision);
 }
 
+bool hasTies(const Run& run) {
+    const auto collisions = run.timeline.collisions();
+    return std::any_of(collisions.begin(), collisions.end(), [](const Collision& c) { return c.group > 0; });
+}
+
+QString tieText(const Collision& c) {
+    return c.group > 0 ? QString("%1.%2").arg(c.group).arg(c.pass) : QString();
+}
+
 QStringList collisionRow(const Run& run, std::size_t i) {
     const Collision& c = run.timeline.collisions()[i];
     const Contact<double>& contact = c.steps.contact;
@@ -39,6 +49,27 @@ QStringList collisionRow(const Run& run, std::size_t i) {
             pairText(run.scene, c),        numberText(contact.Z),
             numberText(degrees),           numberText(c.steps.impulse),
             numberText(c.steps.energyLoss)};
+}
+
+QStringList lastingRow(const Run& run, const LastingContact& contact) {
+    Collision pair; // the same two
+    pair.first = contact.first;
+    pair.second = contact.second;
+    pair.side = contact.side;
+    return {pairText(run.scene, pair), numberText(contact.from, timeDigits),
+            numberText(contact.to, timeDigits)};
+}
+
+void printLasting(const Run& run) {
+    const auto contacts = run.timeline.lastingContacts();
+    if (contacts.empty())
+        return;
+    using enum Column::Align;
+    printTable({{RunReportText::tr("Pressed together by friction"), Left},
+                {RunReportText::tr("From [s]"), Right},
+                {RunReportText::tr("To [s]"), Right}},
+               contacts.size(), [&](std::size_t i) { return lastingRow(run, contacts[i]); });
+    printLine();
 }
 
 QString change(double from, double to) {
@@ -65,24 +96,41 @@ void printCollisions(const Run& run) {
     if (run.timeline.collisions().empty())
         return;
     using enum Column::Align;
-    printTable({{RunReportText::tr("No."), Right},
-                {RunReportText::tr("Time [s]"), Right},
-                {RunReportText::tr("Bodies"), Left},
-                {"Z [m]", Right},
-                {"θ [°]", Right},
-                {RunReportText::tr("Impulse [N·s]"), Right},
-                {RunReportText::tr("Energy loss [J]"), Right}},
-               run.timeline.collisions().size(), [&run](std::size_t i) { return collisionRow(run, i); });
+    QList<Column> columns{{RunReportText::tr("No."), Right},
+                          {RunReportText::tr("Time [s]"), Right},
+                          {RunReportText::tr("Bodies"), Left},
+                          {"Z [m]", Right},
+                          {"θ [°]", Right},
+                          {RunReportText::tr("Impulse [N·s]"), Right},
+                          {RunReportText::tr("Energy loss [J]"), Right}};
+    const bool ties = hasTies(run);
+    if (ties)
+        columns << Column{RunReportText::tr("Tie"), Left};
+    printTable(columns, run.timeline.collisions().size(), [&run, ties](std::size_t i) {
+        const QStringList row = collisionRow(run, i);
+        return ties ? row + QStringList{tieText(run.timeline.collisions()[i])} : row;
+    });
     printLine();
+    if (ties) {
+        printLine(
+            RunReportText::tr("1.2 under Tie: the first instant at which several contacts meet, its second "
+                              "pass. Contacts of one pass are resolved together."));
+        printLine();
+    }
 }
 
 void printTotals(const Run& run) {
-    const Totals start = startTotals(run);
-    const Totals end = totals(run.scene, run.timeline.stateAt(run.timeline.endTime()));
-    const QList<QStringList> rows{
+    printLasting(run);
+    const std::vector<BodyState> first = startStates(run),
+                                 last = run.timeline.stateAt(run.timeline.endTime());
+    const Totals start = totals(run.scene, first), end = totals(run.scene, last);
+    QList<QStringList> rows{
         totalsRow(RunReportText::tr("Momentum, x [kg·m/s]"), start.momentum.x, end.momentum.x),
         totalsRow(RunReportText::tr("Momentum, y [kg·m/s]"), start.momentum.y, end.momentum.y),
         totalsRow(RunReportText::tr("Kinetic energy [J]"), start.energy, end.energy)};
+    if (run.scene.friction)
+        rows << totalsRow(RunReportText::tr("Energy of rotation [J]"), rotationalEnergy(run.scene, first),
+                          rotationalEnergy(run.scene, last));
     using enum Column::Align;
     printTable({{RunReportText::tr("Total"), Left},
                 {RunReportText::tr("Start"), Right},

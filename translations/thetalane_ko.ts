@@ -65,6 +65,14 @@
         <source>the engine&apos;s numbers; double unless said</source>
         <translation>계산에 쓸 수의 정밀도. 기본값 double</translation>
     </message>
+    <message>
+        <source>the stepped engine does not take this; leave one of the two out</source>
+        <translation>stepped 엔진에서는 쓸 수 없습니다. 둘 중 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>bodies that friction presses together stay in touch when they would meet again sooner [s]; 0.0001 unless said</source>
+        <translation>마찰이 맞누르는 두 물체가 이 시간 안에 다시 닿게 되면 붙은 채로 둡니다 [s]. 기본값 0.0001</translation>
+    </message>
 </context>
 <context>
     <name>ExplainCommandText</name>
@@ -83,6 +91,14 @@
     <message>
         <source>which collision, from 1; the first unless said</source>
         <translation>몇 번째 충돌인지 (1부터). 기본값은 첫 번째</translation>
+    </message>
+    <message>
+        <source>Several contacts meet at this instant (tie %1); this one is resolved alone, in pass %2</source>
+        <translation>이 순간에 여러 접촉이 겹칩니다(동시 충돌 %1). 이 충돌은 %2번째 차례에 따로 계산했습니다</translation>
+    </message>
+    <message>
+        <source>Several contacts meet at this instant (tie %1); this one is resolved in pass %2, %3 together</source>
+        <translation>이 순간에 여러 접촉이 겹칩니다(동시 충돌 %1). 이 충돌은 %2번째 차례에 접촉 %3개를 한꺼번에 계산한 것 가운데 하나입니다</translation>
     </message>
 </context>
 <context>
@@ -358,6 +374,30 @@
         <source>Ended at %1 s: %2</source>
         <translation>%1 s에 끝남: %2</translation>
     </message>
+    <message>
+        <source>Pressed together by friction</source>
+        <translation>마찰로 맞눌린 물체</translation>
+    </message>
+    <message>
+        <source>From [s]</source>
+        <translation>처음 [s]</translation>
+    </message>
+    <message>
+        <source>To [s]</source>
+        <translation>끝 [s]</translation>
+    </message>
+    <message>
+        <source>Tie</source>
+        <translation>동시 충돌</translation>
+    </message>
+    <message>
+        <source>Energy of rotation [J]</source>
+        <translation>회전 운동 에너지 [J]</translation>
+    </message>
+    <message>
+        <source>1.2 under Tie: the first instant at which several contacts meet, its second pass. Contacts of one pass are resolved together.</source>
+        <translation>동시 충돌 1.2는 여러 접촉이 겹친 첫째 순간의 둘째 차례입니다. 같은 차례의 접촉은 한꺼번에 계산합니다.</translation>
+    </message>
 </context>
 <context>
     <name>SceneCommand</name>
@@ -605,6 +645,38 @@
         <source>a comma or a closing bracket is missing</source>
         <translation>쉼표나 닫는 괄호가 빠졌습니다</translation>
     </message>
+    <message>
+        <source>a number needs a digit on each side of its point</source>
+        <translation>소수점의 앞뒤에 숫자가 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>a control character in a text must be escaped</source>
+        <translation>문자열 안의 제어 문자는 이스케이프로 적어야 합니다</translation>
+    </message>
+    <message>
+        <source>must be three numbers: [x, y, z]</source>
+        <translation>세 수 [x, y, z]여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and at most %2, is %3</source>
+        <translation>%1보다 크고 %2 이하여야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; begins with &quot;%2&quot;, which names the walls in a run; choose another id</source>
+        <translation>&quot;%1&quot; id는 쓸 수 없습니다. &quot;%2&quot;은 실행 결과에서 벽을 가리키는 말입니다. 다른 id를 고르십시오</translation>
+    </message>
+    <message>
+        <source>must be greater than %1, where the oil begins, is %2</source>
+        <translation>오일이 시작하는 %1보다 커야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>must be at least %1, where %2 ends, is %3; list the oil zones from low y to high y</source>
+        <translation>%2의 끝 %1 이상이어야 하는데 %3입니다. 오일 구간은 y가 작은 것부터 서로 겹치지 않게 적으십시오</translation>
+    </message>
+    <message>
+        <source>must be from %1, the foul line, to %2, the end of the lane, is %3</source>
+        <translation>파울 라인 %1부터 레인의 끝 %2까지여야 하는데 %3입니다</translation>
+    </message>
 </context>
 <context>
     <name>ThrowCommandText</name>
@@ -623,10 +695,6 @@
     <message>
         <source>of the ball&apos;s centre at the foul line, from the middle, positive to the right; -0.41 unless said</source>
         <translation>파울 라인에서 공의 중심 위치, 가운데에서 오른쪽이 양수. 기본값 -0.41</translation>
-    </message>
-    <message>
-        <source>revolutions per minute; 0 unless said</source>
-        <translation>분당 회전수. 기본값 0</translation>
     </message>
     <message>
         <source>of the spin, from a forward roll, positive hooks to the left; 0 unless said</source>
@@ -657,8 +725,48 @@
         <translation>스트라이크</translation>
     </message>
     <message>
-        <source>The lane has no friction yet, so the spin has no effect.</source>
-        <translation>아직 레인에 마찰이 없으므로 회전은 결과에 영향을 주지 않습니다.</translation>
+        <source>revolutions per minute; on a lane with friction the ball hooks; 0 unless said</source>
+        <translation>분당 회전수. 마찰이 있는 레인에서 공이 훅을 그립니다. 기본값 0</translation>
+    </message>
+    <message>
+        <source>of a sliding ball on the dry lane; 0.2 unless said</source>
+        <translation>드라이 존에서 미끄러지는 공의 마찰 계수. 기본값 0.2</translation>
+    </message>
+    <message>
+        <source>of a sliding ball on the oil; 0.04 unless said</source>
+        <translation>오일 위에서 미끄러지는 공의 마찰 계수. 기본값 0.04</translation>
+    </message>
+    <message>
+        <source>of the oil, from the foul line; 12.192 (40 ft) unless said, 0 for none</source>
+        <translation>파울 라인에서 잰 오일의 길이, 0이면 오일 없음. 기본값 12.192 (40 ft)</translation>
+    </message>
+    <message>
+        <source>takes all friction away: nothing slows or hooks</source>
+        <translation>마찰을 모두 없앱니다. 느려지거나 휘지 않습니다</translation>
+    </message>
+    <message>
+        <source>between bodies; 0.75 unless said</source>
+        <translation>물체 사이의 반발 계수. 기본값 0.75</translation>
+    </message>
+    <message>
+        <source>has no meaning with --no-friction; leave one of the two out</source>
+        <translation>--no-friction과 함께 쓰면 뜻이 없습니다. 둘 중 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>At its first pin: x = %1 m, %2 m/s, heading %3°</source>
+        <translation>첫 핀에 닿을 때: x = %1 m, %2 m/s, 방향 %3°</translation>
+    </message>
+    <message>
+        <source>The lane turned its path %1° to the left</source>
+        <translation>마찰로 진로가 왼쪽으로 %1° 휘었습니다</translation>
+    </message>
+    <message>
+        <source>The lane turned its path %1° to the right</source>
+        <translation>마찰로 진로가 오른쪽으로 %1° 휘었습니다</translation>
+    </message>
+    <message>
+        <source>Without friction the spin has no effect.</source>
+        <translation>마찰이 없으면 회전은 결과에 영향을 주지 않습니다.</translation>
     </message>
 </context>
 <context>

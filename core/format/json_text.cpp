@@ -34,4 +34,8 @@ QByteArray jsonPair(const Vec2<double>& v) {
     return '[' + jsonNumber(v.x) + ", " + jsonNumber(v.y) + ']';
 }
 
+QByteArray jsonTriple(const Spin<double>& w) {
+    return '[' + jsonNumber(w.x) + ", " + jsonNumber(w.y) + ", " + jsonNumber(w.z) + ']';
+}
+
 } // namespace thetalane

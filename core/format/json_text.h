@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/math/vec2.h"
+#include "core/motion/floor_state.h"
 
 #include <QByteArray>
 
@@ -15,6 +16,7 @@ QByteArray jsonNumber(double value);
 
 QByteArray jsonString(std::string_view utf8); // in quotes, escaped by Qt
 QByteArray jsonPair(const Vec2<double>& v);   // [x, y]
+QByteArray jsonTriple(const Spin<double>& w); // [x, y, z]
 QByteArray shortestDigits(double value);      // as jsonNumber, for finite values
 
 } // namespace thetalane

@@ -33,7 +33,9 @@ QByteArray header() {
         for (const char* part : {".first.x", ".first.y", ".second.x", ".second.y"})
             names << QByteArray(stage) + part;
     return (names << "impulse"
-                  << "energy_loss")
+                  << "energy_loss"
+                  << "pass"
+                  << "together")
                .join(',') +
            "\n";
 }
@@ -50,7 +52,10 @@ QByteArray rowOf(const Run& run, const Collision& c, std::size_t number) {
         row << numberCell(value);
     for (const auto* stage : {&s.before, &s.rotated, &s.exchanged, &s.after})
         addPair(row, *stage, c.isWall());
-    return (row << numberCell(s.impulse) << numberCell(s.energyLoss)).join(',') + "\n";
+    row << numberCell(s.impulse) << numberCell(s.energyLoss);
+    for (const int n : {c.pass, c.together})
+        row << (c.group > 0 ? QByteArray::number(n) : QByteArray());
+    return row.join(',') + "\n";
 }
 
 } // namespace

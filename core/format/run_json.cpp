@@ -46,7 +46,8 @@ QByteArray collisionText(const Run& run, const Collision& c, std::size_t number)
                       ", \"first\": " + jsonString(run.scene.bodies[std::size_t(c.first)].id) +
                       ", \"second\": " + jsonString(secondName(run.scene, c));
     if (c.group > 0)
-        text += ", \"group\": " + QByteArray::number(c.group);
+        text += ", \"group\": " + QByteArray::number(c.group) + ", \"pass\": " + QByteArray::number(c.pass) +
+                ", \"together\": " + QByteArray::number(c.together);
     text += ", \"restitution\": " + jsonNumber(s.restitution) +
             ",\n     \"contact\": " + contactText(s.contact) +
             ",\n     \"before\": " + velocities(s.before, wall) +
@@ -64,42 +65,67 @@ void writeHead(const Run& run, Output& out) {
                ", \"precision\": " + quoted(fileName(s.precision)) +
                ", \"step\": " + (stepped ? jsonNumber(s.step) : QByteArray("null")) +
                (stepped && s.approachingOnly ? ", \"approaching_only\": true" : "") +
-               ", \"until\": " + jsonNumber(s.until) +
-               ",\n  \"collision_count\": " + QByteArray::number(qlonglong(run.timeline.collisionCount()));
+               ", \"until\": " + jsonNumber(s.until);
+    if (run.scene.friction && !stepped)
+        out << ", \"contact_time\": " + jsonNumber(s.contactTime);
+    out << ",\n  \"collision_count\": " + QByteArray::number(qlonglong(run.timeline.collisionCount()));
 }
 
-void writeCollisions(const Run& run, Output& out) {
-    const auto collisions = run.timeline.collisions();
-    out << ",\n  \"collisions\": [";
-    for (std::size_t i = 0; i < collisions.size() && out.good(); ++i)
-        out << (i == 0 ? "\n    " : ",\n    ") + collisionText(run, collisions[i], i + 1);
-    out << (collisions.empty() ? "]" : "\n  ]");
+// One item a line.
+template <class Items, class ToText>
+void writeList(const char* key, const Items& items, Output& out, ToText&& toText) {
+    out << ",\n  " + quoted(key) + ": [";
+    for (std::size_t i = 0; i < items.size() && out.good(); ++i)
+        out << (i == 0 ? "\n    " : ",\n    ") + toText(items[i], i);
+    out << (items.empty() ? "]" : "\n  ]");
 }
 
-void writeDepartures(const Run& run, Output& out) {
-    out << ",\n  \"departures\": [";
-    bool first = true;
-    for (const Departure& d : run.timeline.departures()) {
-        out << (first ? "\n    " : ",\n    ") + QByteArray("{\"time\": ") + jsonNumber(d.time) +
-                   ", \"body\": " + jsonString(run.scene.bodies[std::size_t(d.body)].id) +
-                   ", \"place\": " + quoted(fileName(d.place)) + '}';
-        first = false;
-    }
-    out << (first ? "]" : "\n  ]");
+QByteArray departureText(const Run& run, const Departure& d) {
+    return "{\"time\": " + jsonNumber(d.time) +
+           ", \"body\": " + jsonString(run.scene.bodies[std::size_t(d.body)].id) +
+           ", \"place\": " + quoted(fileName(d.place)) + '}';
+}
+
+QByteArray lastingText(const Run& run, const LastingContact& c) {
+    return "{\"from\": " + jsonNumber(c.from) + ", \"to\": " + jsonNumber(c.to) +
+           ", \"first\": " + jsonString(run.scene.bodies[std::size_t(c.first)].id) +
+           ", \"second\": " + jsonString(secondName(run.scene, c)) + '}';
+}
+
+void writeDetail(const Run& run, Output& out) {
+    writeList("collisions", run.timeline.collisions(), out,
+              [&run](const Collision& c, std::size_t i) { return collisionText(run, c, i + 1); });
+    if (run.scene.friction)
+        writeList("lasting", run.timeline.lastingContacts(), out,
+                  [&run](const LastingContact& c, std::size_t) { return lastingText(run, c); });
+    if (run.scene.lane)
+        writeList("departures", run.timeline.departures(), out,
+                  [&run](const Departure& d, std::size_t) { return departureText(run, d); });
+}
+
+QByteArray bodyText(const Scene& scene, std::size_t i, const BodyState& state) {
+    QByteArray text = "{\"id\": " + jsonString(scene.bodies[i].id) +
+                      ", \"position\": " + jsonPair(state.position) +
+                      ", \"velocity\": " + jsonPair(state.velocity);
+    if (scene.friction)
+        text += ", \"spin\": " + jsonTriple(state.spin) + ", \"phase\": " + quoted(fileName(state.phase));
+    return text + '}';
 }
 
 void writeEnd(const Run& run, std::span<const BodyState> states, Output& out) {
     out << ",\n  \"end\": {\"time\": " + jsonNumber(run.timeline.endTime()) +
                ", \"reason\": " + quoted(fileName(run.timeline.endReason())) + ",\n    \"bodies\": [";
     for (std::size_t i = 0; i < states.size() && out.good(); ++i)
-        out << (i == 0 ? "\n      " : ",\n      ") + QByteArray("{\"id\": ") +
-                   jsonString(run.scene.bodies[i].id) + ", \"position\": " + jsonPair(states[i].position) +
-                   ", \"velocity\": " + jsonPair(states[i].velocity) + '}';
+        out << (i == 0 ? "\n      " : ",\n      ") + bodyText(run.scene, i, states[i]);
     out << "\n    ]}";
 }
 
-QByteArray totalsText(const Totals& t) {
-    return "{\"momentum\": " + jsonPair(t.momentum) + ", \"energy\": " + jsonNumber(t.energy) + '}';
+QByteArray totalsText(const Scene& scene, std::span<const BodyState> states) {
+    const Totals t = totals(scene, states);
+    QByteArray text = "{\"momentum\": " + jsonPair(t.momentum) + ", \"energy\": " + jsonNumber(t.energy);
+    if (scene.friction)
+        text += ", \"rotational_energy\": " + jsonNumber(rotationalEnergy(scene, states));
+    return text + '}';
 }
 
 void writeExtra(const QJsonObject& extra, Output& out) {
@@ -112,26 +138,34 @@ void writeExtra(const QJsonObject& extra, Output& out) {
 
 } // namespace
 
-Totals startTotals(const Run& run) {
+std::vector<BodyState> startStates(const Run& run) {
     std::vector<BodyState> states;
     states.reserve(run.scene.bodies.size());
     for (const Body& b : run.scene.bodies)
-        states.push_back({b.position, b.velocity});
-    return totals(run.scene, states);
+        states.push_back({b.position, b.velocity, Place::Play, b.spin});
+    return states;
+}
+
+double rotationalEnergy(const Scene& scene, std::span<const BodyState> states) {
+    double sum = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const Body& b = scene.bodies[i];
+        const Spin<double>& w = states[i].spin;
+        if (b.kind == BodyKind::Ball)
+            sum += b.inertia * b.mass * b.radius * b.radius * (w.x * w.x + w.y * w.y + w.z * w.z) / 2;
+    }
+    return sum;
 }
 
 bool writeRunJson(const Run& run, QIODevice& device, const QJsonObject& extra) {
     Output out(device);
     const auto end = run.timeline.stateAt(run.timeline.endTime());
     writeHead(run, out);
-    if (run.settings.keepDetail) {
-        writeCollisions(run, out);
-        if (run.scene.lane)
-            writeDepartures(run, out);
-    }
+    if (run.settings.keepDetail)
+        writeDetail(run, out);
     writeEnd(run, end, out);
-    out << ",\n  \"totals\": {\"start\": " + totalsText(startTotals(run)) +
-               ", \"end\": " + totalsText(totals(run.scene, end)) + '}';
+    out << ",\n  \"totals\": {\"start\": " + totalsText(run.scene, startStates(run)) +
+               ", \"end\": " + totalsText(run.scene, end) + '}';
     writeExtra(extra, out);
     out << "\n}\n";
     return out.good();

@@ -1,6 +1,18 @@
 #include "core/format/run_names.h"
 
+#include "core/scene/validation.h"
+
 namespace thetalane {
+namespace {
+
+std::string nameOf(const Scene& scene, int second, Side side) {
+    if (second >= 0)
+        return scene.bodies[std::size_t(second)].id;
+    static constexpr const char* names[] = {"left", "right", "bottom", "top"};
+    return std::string(wallPrefix) + names[int(side)];
+}
+
+} // namespace
 
 const char* fileName(EngineKind kind) {
     return kind == EngineKind::Event ? "event" : "stepped";
@@ -44,11 +56,24 @@ const char* fileName(Place place) {
     return "";
 }
 
+const char* fileName(FloorPhase phase) {
+    switch (phase) {
+    case FloorPhase::Rest:
+        return "rest";
+    case FloorPhase::Sliding:
+        return "sliding";
+    case FloorPhase::Rolling:
+        return "rolling";
+    }
+    return "";
+}
+
 std::string secondName(const Scene& scene, const Collision& collision) {
-    if (!collision.isWall())
-        return scene.bodies[std::size_t(collision.second)].id;
-    static constexpr const char* names[] = {"wall:left", "wall:right", "wall:bottom", "wall:top"};
-    return names[int(collision.side)];
+    return nameOf(scene, collision.second, collision.side);
+}
+
+std::string secondName(const Scene& scene, const LastingContact& contact) {
+    return nameOf(scene, contact.second, contact.side);
 }
 
 } // namespace thetalane

@@ -11,8 +11,10 @@ const char* fileName(EngineKind kind);
 const char* fileName(Precision precision);
 const char* fileName(EndReason reason);
 const char* fileName(Place place);
+const char* fileName(FloorPhase phase);
 
 // A body's id, or "wall:left".
 std::string secondName(const Scene& scene, const Collision& collision);
+std::string secondName(const Scene& scene, const LastingContact& contact);
 
 } // namespace thetalane

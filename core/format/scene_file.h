@@ -20,8 +20,8 @@ std::variant<Scene, std::vector<SceneError>> readScene(const QByteArray& json);
 // drops the sign of a zero; nothing else is lost).
 QByteArray writeScene(const Scene& scene);
 
-// SceneError::other of NotJson is Qt's reason in English, or one of these. Of a key that an object has twice,
-// the path names the key; of the others, the line and column.
+// SceneError::other of NotJson is Qt's reason in English, one of core/format/json_strict.h, or one of these.
+// Of a key that an object has twice, the path names the key; of the others, the line and column.
 inline constexpr const char* emptyFileReason = "the file is empty";
 inline constexpr const char* missingCommaReason = "a comma or a closing bracket is missing";
 inline constexpr const char* duplicateKeyReason = "duplicate key";

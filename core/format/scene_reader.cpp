@@ -1,10 +1,9 @@
 #include "core/format/json_keys.h"
-#include "core/format/nearest.h"
+#include "core/format/json_strict.h"
+#include "core/format/members.h"
 #include "core/format/scene_file.h"
 
-#include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 #include <unordered_set>
@@ -15,116 +14,16 @@ namespace {
 using Errors = std::vector<SceneError>;
 
 constexpr std::string_view sceneKeys[] = {"format", "version", "title", "restitution",
-                                          "bodies", "frame",   "lane"};
+                                          "bodies", "frame",   "lane",  "friction"};
 constexpr std::string_view titleKeys[] = {"en", "ko"};
-constexpr std::string_view bodyKeys[] = {"id", "kind", "mass", "radius", "position", "velocity"};
+constexpr std::string_view bodyKeys[] = {"id",       "kind",     "mass", "radius",
+                                         "position", "velocity", "spin", "inertia"};
 constexpr std::string_view frameKeys[] = {"left", "right", "bottom", "top", "restitution"};
-constexpr std::string_view laneKeys[] = {"left", "right", "foul_line", "end", "gutter_width", "pit_depth"};
-
-// Nobody reads more, and a file of a million wrong keys should not take a minute.
-constexpr std::size_t enoughErrors = 1000;
-
-enum class Need { Required, Optional };
-
-// The members of one object: takes each out as what it must be, and notes what is wrong with it.
-class Members {
-public:
-    Members(const QJsonObject& object, std::string path, std::span<const std::string_view> known,
-            Errors& errors)
-        : m_object(object)
-        , m_path(std::move(path))
-        , m_errors(errors) {
-        for (auto it = object.begin(); it != object.end() && m_errors.size() < enoughErrors; ++it) {
-            const std::string key = it.key().toStdString();
-            if (std::find(known.begin(), known.end(), key) != known.end())
-                continue;
-            m_misspelt.push_back(nearest(key, known));
-            m_errors.push_back(
-                {.code = SceneErrorCode::UnknownKey, .path = pathOf(key), .other = m_misspelt.back()});
-        }
-    }
-
-    std::string pathOf(const std::string& key) const { return m_path.empty() ? key : m_path + '.' + key; }
-
-    // Nothing where the key is absent; an error too, where it is required and not there misspelt.
-    std::optional<QJsonValue> value(const char* key, Need need) {
-        const QJsonValue v = m_object.value(QLatin1String(key));
-        if (!v.isUndefined())
-            return v;
-        const bool told = std::find(m_misspelt.begin(), m_misspelt.end(), key) != m_misspelt.end();
-        if (need == Need::Required && !told)
-            m_errors.push_back({.code = SceneErrorCode::MissingKey, .path = pathOf(key)});
-        return std::nullopt;
-    }
-
-    std::optional<double> number(const char* key, Need need = Need::Required) {
-        const auto v = value(key, need);
-        if (!v)
-            return std::nullopt;
-        if (v->isDouble())
-            return v->toDouble();
-        wrongType(pathOf(key), ExpectedType::Number);
-        return std::nullopt;
-    }
-
-    void number(const char* key, double& out, Need need = Need::Required) {
-        out = number(key, need).value_or(out);
-    }
-
-    void string(const char* key, std::string& out, Need need = Need::Required) {
-        const auto v = value(key, need);
-        if (v && v->isString())
-            out = v->toString().toStdString();
-        else if (v)
-            wrongType(pathOf(key), ExpectedType::String);
-    }
-
-    void pair(const char* key, Vec2d& out) {
-        const auto v = value(key, Need::Required);
-        if (!v)
-            return;
-        const QJsonArray array = v->toArray();
-        if (!v->isArray() || array.size() != 2)
-            return wrongType(pathOf(key), ExpectedType::Pair);
-        double* const parts[] = {&out.x, &out.y};
-        for (int i = 0; i < 2; ++i) {
-            if (array[i].isDouble())
-                *parts[i] = array[i].toDouble();
-            else
-                wrongType(pathOf(key) + '[' + std::to_string(i) + ']', ExpectedType::Number);
-        }
-    }
-
-    void kind(const char* key, BodyKind& out) {
-        const auto v = value(key, Need::Required);
-        if (!v)
-            return;
-        if (v->toString() == "ball" || v->toString() == "pin")
-            out = v->toString() == "ball" ? BodyKind::Ball : BodyKind::Pin;
-        else
-            wrongType(pathOf(key), ExpectedType::BodyKind);
-    }
-
-    std::optional<QJsonObject> object(const char* key) {
-        const auto v = value(key, Need::Optional);
-        if (v && v->isObject())
-            return v->toObject();
-        if (v)
-            wrongType(pathOf(key), ExpectedType::Object);
-        return std::nullopt;
-    }
-
-    void wrongType(std::string path, ExpectedType expected) {
-        m_errors.push_back(
-            {.code = SceneErrorCode::WrongType, .path = std::move(path), .expected = expected});
-    }
-
-private:
-    const QJsonObject& m_object;
-    std::string m_path;
-    Errors& m_errors;
-    std::vector<std::string> m_misspelt; // what the unknown keys were probably meant to be
-};
+constexpr std::string_view laneKeys[] = {"left",         "right",     "foul_line", "end",
+                                         "gutter_width", "pit_depth", "kickbacks"};
+constexpr std::string_view kickbacksKeys[] = {"from", "restitution"};
+constexpr std::string_view frictionKeys[] = {"ball", "rolling", "pin", "gravity", "oil"};
+constexpr std::string_view oilKeys[] = {"from", "to", "friction"};
 
 Body readBody(const QJsonObject& object, const std::string& path, Errors& errors) {
     Body body;
@@ -135,31 +34,37 @@ Body readBody(const QJsonObject& object, const std::string& path, Errors& errors
     m.number("radius", body.radius);
     m.pair("position", body.position);
     m.pair("velocity", body.velocity);
+    m.triple("spin", body.spin, Need::Optional);
+    m.number("inertia", body.inertia, Need::Optional);
     return body;
 }
 
+// One item after the other, each an object.
+template <class Item, class Read>
+void readItems(const QJsonArray& array, const std::string& path, std::vector<Item>& out, Errors& errors,
+               Read&& read) {
+    out.reserve(std::size_t(array.size()));
+    for (qsizetype i = 0; i < array.size() && errors.size() < enoughErrors; ++i) {
+        const std::string place = path + '[' + std::to_string(i) + ']';
+        const QJsonValue item = array[i];
+        if (!item.isObject())
+            errors.push_back({.code = SceneErrorCode::NotAnObject, .path = place});
+        out.push_back(item.isObject() ? read(item.toObject(), place, errors) : Item{});
+    }
+}
+
 void readBodies(Members& scene, std::vector<Body>& bodies, Errors& errors) {
-    const auto value = scene.value("bodies", Need::Required);
-    if (!value)
+    const auto array = scene.array("bodies", Need::Required);
+    if (!array)
         return;
-    if (!value->isArray())
-        return scene.wrongType("bodies", ExpectedType::Array);
-    const QJsonArray array = value->toArray();
-    if (array.size() > qsizetype(maxBodies)) {
+    if (array->size() > qsizetype(maxBodies)) {
         errors.push_back({.code = SceneErrorCode::TooManyBodies,
                           .path = "bodies",
-                          .value = double(array.size()),
+                          .value = double(array->size()),
                           .high = double(maxBodies)});
         return;
     }
-    bodies.reserve(std::size_t(array.size()));
-    for (qsizetype i = 0; i < array.size() && errors.size() < enoughErrors; ++i) {
-        const std::string path = "bodies[" + std::to_string(i) + ']';
-        const QJsonValue item = array[i];
-        if (!item.isObject())
-            errors.push_back({.code = SceneErrorCode::NotAnObject, .path = path});
-        bodies.push_back(item.isObject() ? readBody(item.toObject(), path, errors) : Body{});
-    }
+    readItems(*array, "bodies", bodies, errors, readBody);
 }
 
 void readFrame(Members& scene, std::optional<Frame>& out, Errors& errors) {
@@ -176,6 +81,17 @@ void readFrame(Members& scene, std::optional<Frame>& out, Errors& errors) {
     out = frame;
 }
 
+void readKickbacks(Members& lane, std::optional<Kickbacks>& out, Errors& errors) {
+    const auto object = lane.object("kickbacks");
+    if (!object)
+        return;
+    Kickbacks kickbacks;
+    Members m(*object, "lane.kickbacks", kickbacksKeys, errors);
+    m.number("from", kickbacks.from);
+    m.number("restitution", kickbacks.restitution);
+    out = kickbacks;
+}
+
 void readLane(Members& scene, std::optional<Lane>& out, Errors& errors) {
     const auto object = scene.object("lane");
     if (!object)
@@ -188,7 +104,32 @@ void readLane(Members& scene, std::optional<Lane>& out, Errors& errors) {
     m.number("end", lane.end);
     m.number("gutter_width", lane.gutterWidth);
     m.number("pit_depth", lane.pitDepth);
+    readKickbacks(m, lane.kickbacks, errors);
     out = lane;
+}
+
+OilZone readOil(const QJsonObject& object, const std::string& path, Errors& errors) {
+    OilZone zone;
+    Members m(object, path, oilKeys, errors);
+    m.number("from", zone.from);
+    m.number("to", zone.to);
+    m.number("friction", zone.friction);
+    return zone;
+}
+
+void readFriction(Members& scene, std::optional<Friction>& out, Errors& errors) {
+    const auto object = scene.object("friction");
+    if (!object)
+        return;
+    Friction friction;
+    Members m(*object, "friction", frictionKeys, errors);
+    m.number("ball", friction.ball);
+    m.number("rolling", friction.rolling, Need::Optional);
+    m.number("pin", friction.pin, Need::Optional);
+    m.number("gravity", friction.gravity, Need::Optional);
+    if (const auto oil = m.array("oil", Need::Optional))
+        readItems(*oil, "friction.oil", friction.oil, errors, readOil);
+    out = std::move(friction);
 }
 
 void readTitle(Members& scene, Title& out, Errors& errors) {
@@ -225,6 +166,7 @@ Scene readMembers(const QJsonObject& file, Errors& errors) {
     readBodies(m, scene.bodies, errors);
     readFrame(m, scene.frame, errors);
     readLane(m, scene.lane, errors);
+    readFriction(m, scene.friction, errors);
     return scene;
 }
 
@@ -257,17 +199,20 @@ void sortByPlace(Errors& errors, const QByteArray& json) {
         errors[i] = std::move(placed[i].second);
 }
 
-// Faults of single values; where bodies stand to each other means nothing while some value is missing.
+bool isOfOneValue(SceneErrorCode code) {
+    using enum SceneErrorCode;
+    return code == NotPositive || code == OutOfRange || code == OutOfOpenRange || code == EmptyId ||
+           code == DuplicateId || code == ReservedId;
+}
+
+// Faults of single values; what they are to each other means nothing while some value is missing.
 void addValueErrors(const Scene& scene, Errors& errors) {
     std::unordered_set<std::string> told;
     for (const SceneError& e : errors)
         told.insert(e.path);
-    for (SceneError& e : validate(scene)) {
-        const bool ofValue = e.code == SceneErrorCode::NotPositive || e.code == SceneErrorCode::OutOfRange ||
-                             e.code == SceneErrorCode::EmptyId || e.code == SceneErrorCode::DuplicateId;
-        if (ofValue && !told.contains(e.path) && !told.contains(parentOf(e.path)))
+    for (SceneError& e : validate(scene))
+        if (isOfOneValue(e.code) && !told.contains(e.path) && !told.contains(parentOf(e.path)))
             errors.push_back(std::move(e));
-    }
 }
 
 bool partOfNumber(char c) {
@@ -309,6 +254,9 @@ std::variant<Scene, std::vector<SceneError>> readScene(const QByteArray& json) {
     const QJsonDocument document = QJsonDocument::fromJson(json, &parseError);
     if (parseError.error != QJsonParseError::NoError)
         return Errors{notJson(json, parseError)};
+    if (const auto lax = firstLaxness(json))
+        return Errors{
+            {.code = SceneErrorCode::NotJson, .path = placeInText(json, lax->offset), .other = lax->reason}};
     if (!document.isObject())
         return Errors{{.code = SceneErrorCode::NotAnObject, .path = {}}};
     const QJsonObject file = document.object();

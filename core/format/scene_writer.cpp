@@ -24,10 +24,17 @@ QByteArray titleText(const Title& title) {
 }
 
 QByteArray bodyText(const Body& body) {
-    return object({member("id", jsonString(body.id)),
-                   member("kind", body.kind == BodyKind::Ball ? "\"ball\"" : "\"pin\""),
-                   member("mass", jsonNumber(body.mass)), member("radius", jsonNumber(body.radius)),
-                   member("position", jsonPair(body.position)), member("velocity", jsonPair(body.velocity))});
+    QList<QByteArray> members{member("id", jsonString(body.id)),
+                              member("kind", body.kind == BodyKind::Ball ? "\"ball\"" : "\"pin\""),
+                              member("mass", jsonNumber(body.mass)),
+                              member("radius", jsonNumber(body.radius)),
+                              member("position", jsonPair(body.position)),
+                              member("velocity", jsonPair(body.velocity))};
+    if (body.spin != Spin<double>{})
+        members << member("spin", jsonTriple(body.spin));
+    if (body.inertia != Body{}.inertia)
+        members << member("inertia", jsonNumber(body.inertia));
+    return object(members);
 }
 
 QByteArray bodiesText(const std::vector<Body>& bodies) {
@@ -48,10 +55,40 @@ QByteArray frameText(const Frame& frame) {
 }
 
 QByteArray laneText(const Lane& lane) {
-    return object({member("left", jsonNumber(lane.left)), member("right", jsonNumber(lane.right)),
-                   member("foul_line", jsonNumber(lane.foulLine)), member("end", jsonNumber(lane.end)),
-                   member("gutter_width", jsonNumber(lane.gutterWidth)),
-                   member("pit_depth", jsonNumber(lane.pitDepth))});
+    QList<QByteArray> members{member("left", jsonNumber(lane.left)),
+                              member("right", jsonNumber(lane.right)),
+                              member("foul_line", jsonNumber(lane.foulLine)),
+                              member("end", jsonNumber(lane.end)),
+                              member("gutter_width", jsonNumber(lane.gutterWidth)),
+                              member("pit_depth", jsonNumber(lane.pitDepth))};
+    if (lane.kickbacks)
+        members << member("kickbacks",
+                          object({member("from", jsonNumber(lane.kickbacks->from)),
+                                  member("restitution", jsonNumber(lane.kickbacks->restitution))}));
+    return object(members);
+}
+
+// The zones of a pattern one a line, as they lie on the lane.
+QByteArray oilText(const std::vector<OilZone>& oil) {
+    QList<QByteArray> lines;
+    for (const OilZone& zone : oil)
+        lines << "    " + object({member("from", jsonNumber(zone.from)), member("to", jsonNumber(zone.to)),
+                                  member("friction", jsonNumber(zone.friction))});
+    return "[\n" + lines.join(",\n") + "\n  ]";
+}
+
+QByteArray frictionText(const Friction& friction) {
+    const Friction usual;
+    QList<QByteArray> members{member("ball", jsonNumber(friction.ball))};
+    if (friction.rolling != usual.rolling)
+        members << member("rolling", jsonNumber(friction.rolling));
+    if (friction.pin != usual.pin)
+        members << member("pin", jsonNumber(friction.pin));
+    if (friction.gravity != usual.gravity)
+        members << member("gravity", jsonNumber(friction.gravity));
+    if (!friction.oil.empty())
+        members << member("oil", oilText(friction.oil));
+    return object(members);
 }
 
 } // namespace
@@ -66,6 +103,8 @@ QByteArray writeScene(const Scene& scene) {
         lines << member("frame", frameText(*scene.frame));
     if (scene.lane)
         lines << member("lane", laneText(*scene.lane));
+    if (scene.friction)
+        lines << member("friction", frictionText(*scene.friction));
     return "{\n  " + lines.join(",\n  ") + "\n}\n";
 }
 

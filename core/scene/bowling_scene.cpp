@@ -23,11 +23,32 @@ std::vector<Body> fullRack() {
     return rack;
 }
 
+// Where the plates begin and how they throw back is a guess: no drawing and no measurement of either could be
+// found. They are hard, padded wood or plastic, and pins come off them clearly slower.
 Lane regulationLane() {
-    return {-laneWidth / 2, laneWidth / 2, -foulLineToHeadPin, headPinToEnd, gutterWidth, pitDepth};
+    constexpr Kickbacks plates{-0.1, 0.5};
+    return {-laneWidth / 2, laneWidth / 2, -foulLineToHeadPin, headPinToEnd, gutterWidth, pitDepth, plates};
 }
 
-Scene bowlingScene(const Throw& t, double restitution) {
+Friction houseFriction() {
+    Friction friction;
+    friction.ball = 0.20;    // dry; several published figures agree on about this much
+    friction.rolling = 0.01; // a guess: it slows a ball by 0.1 m/s², hardly to be seen over a lane
+    friction.pin = 0.4;      // nobody measured pins on a deck; games use 0.3 to 0.56
+    // As sure as the dry figure. A real pattern thins out towards its end and its edges; this one is even.
+    friction.oil = {{-foulLineToHeadPin, -foulLineToHeadPin + houseOilLength, 0.04}};
+    return friction;
+}
+
+// Rolling along d, a ball turns about ẑ × d = (-d.y, d.x). A spin slips by u = R ẑ × ω, so friction pulls
+// along -u: for the forward roll along d itself, and along d turned by the same angle as the axis is. Left of
+// d is counterclockwise, seen from above: the axis turns by +axis.
+Spin<double> throwSpin(const Throw& t) {
+    const Vec2d pull{std::sin(t.direction - t.axis), std::cos(t.direction - t.axis)};
+    return {-t.spin * pull.y, t.spin * pull.x, 0};
+}
+
+Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction) {
     Scene scene;
     scene.title = {"Bowling: the whole lane", "볼링: 레인 전체"};
     scene.restitution = restitution;
@@ -38,8 +59,10 @@ Scene bowlingScene(const Throw& t, double restitution) {
                              t.mass,
                              ballRadius,
                              {t.position, -foulLineToHeadPin},
-                             {t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)}});
+                             {t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)},
+                             throwSpin(t)});
     scene.lane = regulationLane();
+    scene.friction = friction;
     return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace thetalane {
@@ -22,8 +23,9 @@ inline constexpr double pinRadius = 0.06053;     // widest, at 11.4 cm height
 inline constexpr double pinMass = 1.59;          // 1.531 to 1.645
 inline constexpr double pinCentreOfGravity = 0.147;
 inline constexpr double pinBaseRadius = 0.026;
-inline constexpr double ballRadius = 0.10845; // 215.9 to 218.3 mm across
-inline constexpr double maxBallMass = 7.26;   // 16 lb
+inline constexpr double ballRadius = 0.10845;    // 215.9 to 218.3 mm across
+inline constexpr double maxBallMass = 7.26;      // 16 lb
+inline constexpr double houseOilLength = 12.192; // from the foul line; 40 ft, where house oil commonly ends
 } // namespace regulation
 
 // Nobody could be found to have measured it; games use 0.08 to 0.85. A visible control.
@@ -37,7 +39,7 @@ struct Throw {
     double position =
         -0.41;       // of the ball's centre at the foul line, from the middle, positive to the right [m]
     double spin = 0; // rad/s
-    double axis = 0; // of the spin, from a forward roll, positive hooks to the left
+    double axis = 0; // of the spin, from a forward roll, positive hooks to the left; the spin axis is level
 
     friend bool operator==(const Throw&, const Throw&) = default;
 };
@@ -50,8 +52,16 @@ std::vector<Body> fullRack();
 
 Lane regulationLane();
 
-// One ball at the foul line, the whole lane, a full rack. Validity is validate()'s business.
-Scene bowlingScene(const Throw& ballThrow, double restitution = defaultPinRestitution);
+// A house lane: oil to 40 ft, dry behind it. How sure each figure is stands beside it in the .cpp.
+Friction houseFriction();
+
+// The spin of a ball thrown so, in the axes of the lane [rad/s].
+Spin<double> throwSpin(const Throw& ballThrow);
+
+// One ball at the foul line, the whole lane, a full rack; no friction where none is given. Validity is
+// validate()'s business.
+Scene bowlingScene(const Throw& ballThrow, double restitution = defaultPinRestitution,
+                   const std::optional<Friction>& friction = houseFriction());
 
 // The ball close before the rack, free of the lane: the scene of the frictionless studies.
 // offset [m]: of the ball's path from the head pin; entryAngle [rad]: positive to the right.

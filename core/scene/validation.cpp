@@ -32,9 +32,27 @@ void checkRestitution(double e, const std::string& path, Errors& out) {
         out.push_back({.code = SceneErrorCode::OutOfRange, .path = path, .value = e, .low = 0, .high = 1});
 }
 
+void checkFriction(double mu, const std::string& path, Errors& out) {
+    if (checkFinite(mu, path, out) && !(mu >= 0 && mu <= maxFriction))
+        out.push_back(
+            {.code = SceneErrorCode::OutOfRange, .path = path, .value = mu, .low = 0, .high = maxFriction});
+}
+
+void checkInertia(double beta, const std::string& path, Errors& out) {
+    if (checkFinite(beta, path, out) && !(beta > 0 && beta <= 1))
+        out.push_back(
+            {.code = SceneErrorCode::OutOfOpenRange, .path = path, .value = beta, .low = 0, .high = 1});
+}
+
 void checkVector(Vec2d v, const std::string& path, Errors& out) {
     checkFinite(v.x, path + "[0]", out);
     checkFinite(v.y, path + "[1]", out);
+}
+
+void checkSpin(const Spin<double>& spin, const std::string& path, Errors& out) {
+    checkFinite(spin.x, path + "[0]", out);
+    checkFinite(spin.y, path + "[1]", out);
+    checkFinite(spin.z, path + "[2]", out);
 }
 
 void checkBodies(const Scene& scene, Errors& out) {
@@ -45,10 +63,15 @@ void checkBodies(const Scene& scene, Errors& out) {
             out.push_back({.code = SceneErrorCode::EmptyId, .path = bodyPath(i, "id")});
         else if (!seen.insert(body.id).second)
             out.push_back({.code = SceneErrorCode::DuplicateId, .path = bodyPath(i, "id"), .other = body.id});
+        if (body.id.starts_with(wallPrefix))
+            out.push_back({.code = SceneErrorCode::ReservedId, .path = bodyPath(i, "id"), .other = body.id});
         checkPositive(body.mass, bodyPath(i, "mass"), out);
         checkPositive(body.radius, bodyPath(i, "radius"), out);
         checkVector(body.position, bodyPath(i, "position"), out);
         checkVector(body.velocity, bodyPath(i, "velocity"), out);
+        if (body.spin != Spin<double>{})
+            checkSpin(body.spin, bodyPath(i, "spin"), out);
+        checkInertia(body.inertia, bodyPath(i, "inertia"), out);
     }
 }
 
@@ -70,6 +93,19 @@ void checkFrame(const Frame& frame, Errors& out) {
                        .low = *frame.bottom});
 }
 
+void checkKickbacks(const Lane& lane, Errors& out) {
+    const double from = lane.kickbacks->from;
+    checkRestitution(lane.kickbacks->restitution, "lane.kickbacks.restitution", out);
+    if (!checkFinite(from, "lane.kickbacks.from", out) || !(lane.foulLine < lane.end))
+        return;
+    if (from < lane.foulLine || from > lane.end)
+        out.push_back({.code = SceneErrorCode::KickbacksOffTheLane,
+                       .path = "lane.kickbacks.from",
+                       .value = from,
+                       .low = lane.foulLine,
+                       .high = lane.end});
+}
+
 void checkLane(const Lane& lane, Errors& out) {
     checkFinite(lane.left, "lane.left", out);
     checkFinite(lane.right, "lane.right", out);
@@ -87,6 +123,37 @@ void checkLane(const Lane& lane, Errors& out) {
                        .path = "lane.end",
                        .value = lane.end,
                        .low = lane.foulLine});
+    if (lane.kickbacks)
+        checkKickbacks(lane, out);
+}
+
+void checkOil(const std::vector<OilZone>& oil, Errors& out) {
+    const auto pathOf = [](std::size_t i) { return "friction.oil[" + std::to_string(i) + "]"; };
+    for (std::size_t i = 0; i < oil.size(); ++i) {
+        const std::string path = pathOf(i);
+        const bool from = checkFinite(oil[i].from, path + ".from", out);
+        const bool to = checkFinite(oil[i].to, path + ".to", out);
+        checkFriction(oil[i].friction, path + ".friction", out);
+        if (from && to && !(oil[i].from < oil[i].to))
+            out.push_back({.code = SceneErrorCode::OilReversed,
+                           .path = path + ".to",
+                           .value = oil[i].to,
+                           .low = oil[i].from});
+        if (i > 0 && oil[i].from < oil[i - 1].to)
+            out.push_back({.code = SceneErrorCode::OilOverlap,
+                           .path = path + ".from",
+                           .value = oil[i].from,
+                           .low = oil[i - 1].to,
+                           .other = pathOf(i - 1)});
+    }
+}
+
+void checkFloor(const Friction& friction, Errors& out) {
+    checkFriction(friction.ball, "friction.ball", out);
+    checkFriction(friction.rolling, "friction.rolling", out);
+    checkFriction(friction.pin, "friction.pin", out);
+    checkPositive(friction.gravity, "friction.gravity", out);
+    checkOil(friction.oil, out);
 }
 
 // Positions carry rounding of their own size; bodies laid edge to edge by arithmetic may be that deep.
@@ -177,6 +244,8 @@ std::vector<SceneError> validate(const Scene& scene) {
         checkFrame(*scene.frame, out);
     if (scene.lane)
         checkLane(*scene.lane, out);
+    if (scene.friction)
+        checkFloor(*scene.friction, out);
     if (!out.empty())
         return out; // where bodies stand means something only for sound numbers
     if (scene.frame)

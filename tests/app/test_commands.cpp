@@ -66,7 +66,18 @@ private slots:
         row("throw", "Pins down:");
         row("throw --language ko", "쓰러진 핀:");
         row("throw --direction -0.5 --position 0.1 --mass 7.26", "Pins down:");
-        row("throw --spin 300", "the spin has no effect");
+        row("throw", "At its first pin: x = 0.");
+        row("throw --spin 300 --no-friction", "Without friction the spin has no effect.");
+        row("throw --spin 300 --no-friction --language ko", "마찰이 없으면");
+        row("throw --no-friction", "heading 1.5°");
+        row("throw", "Energy of rotation [J]");
+        row("throw --language ko", "회전 운동 에너지 [J]");
+        row("throw --friction 0.3 --oil 0.05 --oil-length 10 --restitution 0.6 --json",
+            "\"restitution\": 0.6");
+        row("throw --oil-length 0 --contact-time 1e-5 --json", "\"contact_time\": 1e-05");
+        row("scene bowling", "\"kickbacks\": {\"from\": -0.1, \"restitution\": 0.5}");
+        row("scene bowling", "\"friction\": {\"ball\": 0.2, ");
+        row("throw --help", "positive hooks to the left");
         row("throw --position 0.527", "Pins down: ");
     }
 
@@ -143,6 +154,16 @@ private slots:
         row("throw --position 0.6", "--position: must be from -0.52705 to 0.52705, is 0.6");
         row("throw --spin inf", "--spin: must be a number");
         row("throw --axis 1x", "--axis: must be a number");
+        row("throw --spin 10001", "--spin: must be from -10000 to 10000, is 10001");
+        row("throw --friction -0.1", "--friction: must be from 0 to 10, is -0.1");
+        row("throw --oil 11", "--oil: must be from 0 to 10, is 11");
+        row("throw --oil-length 20", "--oil-length: must be from 0 to 19.156, is 20");
+        row("throw --restitution 1.1", "--restitution: must be from 0 to 1, is 1.1");
+        for (const char* option : {"friction", "oil", "oil-length"})
+            row(QString("throw --no-friction --%1 0.1").arg(option), "has no meaning with --no-friction");
+        row("run two-balls --contact-time 0", "--contact-time: must be greater than 0, is 0");
+        row("run two-balls --contact-time soon", "--contact-time: must be a number");
+        row("run two-balls --engine stepped --contact-time 1e-4", "the stepped engine does not take this");
         row("picture two-balls --output x.png --at -1", "--at: must be at least 0, is -1");
     }
 
@@ -198,6 +219,62 @@ private slots:
         QCOMPARE(o.error, file.fileName() + ": bodies[1].mass: must be greater than 0, is -3\n");
         const Outcome korean = call({"run", file.fileName(), "--language", "ko"});
         QVERIFY2(korean.error.contains(": bodies[1].mass: 0보다 커야 합니다"), qPrintable(korean.error));
+    }
+
+    void faultsOfALaneAreTold_data() {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QString>("english");
+        QTest::addColumn<QString>("korean");
+        QTest::newRow("oil")
+            << QByteArray("\"to\": -6.096") << QByteArray("\"to\": -20")
+            << "friction.oil[0].to: must be greater than -18.288, where the oil begins, is -20"
+            << "friction.oil[0].to: 오일이 시작하는 -18.288보다 커야 하는데 -20입니다";
+        QTest::newRow("oils") << QByteArray("\"oil\": [")
+                              << QByteArray("\"oil\": [{\"from\": -19, \"to\": -18, \"friction\": 0},")
+                              << "friction.oil[1].from: must be at least -18, where friction.oil[0] ends, is "
+                                 "-18.288"
+                              << "friction.oil[1].from: friction.oil[0]의 끝 -18 이상이어야 하는데";
+        QTest::newRow("kickbacks")
+            << QByteArray("{\"from\": -0.1") << QByteArray("{\"from\": 1")
+            << "lane.kickbacks.from: must be from -18.288, the foul line, to 0.868, the "
+               "end of the lane, is 1"
+            << "lane.kickbacks.from: 파울 라인 -18.288부터 레인의 끝 0.868까지여야 하는데 1입니다";
+        QTest::newRow("gravity") << QByteArray("\"ball\": 0.2")
+                                 << QByteArray("\"ball\": 0.2, \"gravity\": -1")
+                                 << "friction.gravity: must be greater than 0, is -1"
+                                 << "friction.gravity: 0보다 커야 합니다";
+        QTest::newRow("inertia") << QByteArray("\"velocity\"") << QByteArray("\"inertia\": 2, \"velocity\"")
+                                 << "bodies[0].inertia: must be greater than 0 and at most 1, is 2"
+                                 << "bodies[0].inertia: 0보다 크고 1 이하여야 하는데 2입니다";
+        QTest::newRow("spin") << QByteArray("\"velocity\"") << QByteArray("\"spin\": [1], \"velocity\"")
+                              << "bodies[0].spin: must be three numbers: [x, y, z]"
+                              << "bodies[0].spin: 세 수 [x, y, z]여야 합니다";
+        QTest::newRow("id") << QByteArray("\"ball\", \"kind\"") << QByteArray("\"wall:top\", \"kind\"")
+                            << "bodies[0].id: \"wall:top\" begins with \"wall:\""
+                            << "bodies[0].id: \"wall:top\" id는 쓸 수 없습니다";
+        QTest::newRow("number") << QByteArray("\"ball\": 0.2,") << QByteArray("\"ball\": .2,")
+                                << "not valid JSON: a number needs a digit on each side of its point"
+                                << "소수점의 앞뒤";
+        QTest::newRow("tab") << QByteArray("the whole lane") << QByteArray("the\twhole lane")
+                             << "not valid JSON: a control character in a text must be escaped"
+                             << "제어 문자";
+    }
+
+    void faultsOfALaneAreTold() {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QString, english);
+        QFETCH(QString, korean);
+        QByteArray text = writeScene(*builtinScene("bowling"));
+        const qsizetype at = text.indexOf(from);
+        QVERIFY(at > 0);
+        text.replace(at, from.size(), to);
+        const Outcome o = call({"run", "-", "--language", "en"}, text);
+        QCOMPARE(o.status, 2);
+        QVERIFY2(isOneLine(o.error) && o.error.contains(english), qPrintable(o.error));
+        const Outcome k = call({"run", "-", "--language", "ko"}, text);
+        QVERIFY2(isOneLine(k.error) && k.error.contains(korean), qPrintable(k.error));
     }
 
     void severalFaultsAreOneLine() {

@@ -1,5 +1,6 @@
 // Scene files: every fault named by its place, nothing crashes, and numbers come back to the last
 // bit.
+#include "core/format/json_strict.h"
 #include "core/format/nearest.h"
 #include "core/format/scene_file.h"
 #include "core/scene/builtin.h"
@@ -30,6 +31,10 @@ const QByteArray good = R"({
 
 const QByteArray laneMember =
     R"("lane": {"left": -2, "right": 2, "foul_line": -1, "end": 2, "gutter_width": 0.2, "pit_depth": 0.5})";
+
+const QByteArray frictionMember =
+    R"("friction": {"ball": 0.2, "rolling": 0.01, "pin": 0.4, "gravity": 1.62,
+    "oil": [{"from": -1, "to": 0, "friction": 0.04}, {"from": 0.5, "to": 1, "friction": 0.1}]})";
 
 // Qt's JSON reader takes -0.0 for 0; every other double must come back to the bit.
 bool sameBits(double a, double b) {
@@ -86,6 +91,12 @@ private slots:
         keyRows(changed);
         typeRows(row, changed);
         valueRows(changed);
+        const auto added = [&changed](const char* name, const QByteArray& member, Code code, const char* path,
+                                      const char* other = "") {
+            changed(name, "\"frame\"", (member + ", \"frame\"").constData(), code, path, other);
+        };
+        frictionRows(added);
+        laneRows(changed, added);
     }
 
     void faults() {
@@ -114,6 +125,54 @@ private slots:
             "bodies[1]",          "zoom",           "restitution",    "frame.left"};
         QCOMPARE(paths, expected);
     }
+
+    void everythingOfALaneIsRead() {
+        QByteArray json = good;
+        json.replace("\"velocity\": [1.0, 0.2]",
+                     "\"velocity\": [1.0, 0.2], \"spin\": [-3, 4.5, 1e-3], \"inertia\": 0.37");
+        json.replace("\"frame\"", withKickbacks("{\"from\": 1.5, \"restitution\": 0.5}") + ", " +
+                                      frictionMember + ", \"frame\"");
+        const auto result = readScene(json);
+        QVERIFY(std::holds_alternative<Scene>(result));
+        const Scene& scene = std::get<Scene>(result);
+        QVERIFY((scene.bodies[0].spin == Spin<double>{-3, 4.5, 1e-3}));
+        QCOMPARE(scene.bodies[0].inertia, 0.37);
+        QVERIFY(scene.bodies[1].spin == Spin<double>{});
+        QCOMPARE(scene.bodies[1].inertia, 0.4);
+        QVERIFY((scene.lane->kickbacks == Kickbacks{1.5, 0.5}));
+        const Friction expected{0.2, 0.01, 0.4, 1.62, {{-1, 0, 0.04}, {0.5, 1, 0.1}}};
+        QVERIFY(scene.friction == expected);
+        QVERIFY(std::get<Scene>(readScene(writeScene(scene))) == scene);
+    }
+
+    void theWriterLeavesDefaultsOut() {
+        Scene scene = std::get<Scene>(readScene(good));
+        scene.friction = Friction{};
+        scene.friction->ball = 0.25;
+        QByteArray text = writeScene(scene);
+        QVERIFY(text.contains("\"friction\": {\"ball\": 0.25}\n"));
+        for (const char* key : {"spin", "inertia", "rolling", "pin\":", "gravity", "oil", "kickbacks"})
+            QVERIFY2(!text.contains(key), key);
+        QVERIFY(std::get<Scene>(readScene(text)) == scene);
+        scene.friction.reset();
+        QVERIFY(!writeScene(scene).contains("friction"));
+        // One thing that is not as usual, alone.
+        const auto only = [](auto&& change, const char* key) {
+            Scene s = std::get<Scene>(readScene(good));
+            s.friction = Friction{};
+            change(s);
+            const QByteArray written = writeScene(s);
+            return written.contains(key) && std::get<Scene>(readScene(written)) == s;
+        };
+        QVERIFY(only([](Scene& s) { s.bodies[1].spin.z = -1e-300; }, "\"spin\": [0, 0, -1e-300]"));
+        QVERIFY(only([](Scene& s) { s.bodies[1].inertia = 0.41; }, "\"inertia\": 0.41"));
+        QVERIFY(only([](Scene& s) { s.friction->rolling = 0.01; }, "\"rolling\": 0.01"));
+        QVERIFY(only([](Scene& s) { s.friction->pin = 0.4; }, "\"pin\": 0.4"));
+        QVERIFY(only([](Scene& s) { s.friction->gravity = 9.8; }, "\"gravity\": 9.8"));
+        QVERIFY(only([](Scene& s) { s.friction->oil = {{-1, 1, 0}}; }, "\"oil\": ["));
+    }
+
+    void byteOrderMarksAreRead() { QVERIFY(std::holds_alternative<Scene>(readScene("\xef\xbb\xbf" + good))); }
 
     void openSidesAndDefaults() {
         QByteArray json = good;
@@ -197,6 +256,7 @@ private slots:
             QCOMPARE(writeScene(std::get<Scene>(back)), text);
             QCOMPARE(text.contains("\"frame\""), scene.frame.has_value());
             QCOMPARE(text.contains("\"lane\""), scene.lane.has_value());
+            QCOMPARE(text.contains("\"friction\""), scene.friction.has_value());
         }
     }
 
@@ -214,12 +274,19 @@ private slots:
                              std::abs(number()),
                              std::abs(number()),
                              {number(), number()},
-                             {number(), -0.0}}};
+                             {number(), -0.0},
+                             {number(), number(), number()}}};
+            scene.friction = Friction{std::abs(std::remainder(number(), 10)), 0, 0, std::abs(number()), {}};
             const Scene back = std::get<Scene>(readScene(writeScene(scene)));
             QVERIFY(sameBits(back.bodies[0].mass, scene.bodies[0].mass));
             QVERIFY(sameBits(back.bodies[0].radius, scene.bodies[0].radius));
             QVERIFY(sameBits(back.bodies[0].position, scene.bodies[0].position));
             QVERIFY(sameBits(back.bodies[0].velocity, scene.bodies[0].velocity));
+            QVERIFY(sameBits(back.bodies[0].spin.x, scene.bodies[0].spin.x));
+            QVERIFY(sameBits(back.bodies[0].spin.y, scene.bodies[0].spin.y));
+            QVERIFY(sameBits(back.bodies[0].spin.z, scene.bodies[0].spin.z));
+            QVERIFY(sameBits(back.friction->ball, scene.friction->ball));
+            QVERIFY(sameBits(back.friction->gravity, scene.friction->gravity));
         }
     }
 
@@ -241,6 +308,74 @@ private slots:
     }
 
 private:
+    static QByteArray withKickbacks(const QByteArray& kickbacks) {
+        QByteArray lane = laneMember;
+        return lane.insert(lane.size() - 1, ", \"kickbacks\": " + kickbacks);
+    }
+
+    // The friction of the good file with one thing changed.
+    template <class Added> static void frictionRows(const Added& added) {
+        const auto changed = [&added](const char* from, const char* to, Code code, const char* path,
+                                      const char* other = "") {
+            QByteArray member = frictionMember;
+            Q_ASSERT(member.contains(from));
+            member.replace(from, to);
+            added((QByteArray("friction: ") + to).constData(), member, code, path, other);
+        };
+        const auto whole = [&added](const char* value, Code code, const char* path) {
+            added((QByteArray("friction ") + value).constData(), QByteArray("\"friction\": ") + value, code,
+                  path);
+        };
+        whole("0.2", Code::WrongType, "friction");
+        whole("null", Code::WrongType, "friction");
+        whole("{}", Code::MissingKey, "friction.ball");
+        whole("{\"bal\": 0.2}", Code::UnknownKey, "friction.bal");
+        changed("\"rolling\"", "\"roling\"", Code::UnknownKey, "friction.roling", "rolling");
+        changed("\"gravity\"", "\"weight\"", Code::UnknownKey, "friction.weight");
+        changed("\"oil\"", "\"oill\"", Code::UnknownKey, "friction.oill", "oil");
+        changed("\"friction\": 0.04", "\"fricton\": 0.04", Code::UnknownKey, "friction.oil[0].fricton",
+                "friction");
+        changed("\"to\": 1, ", "", Code::MissingKey, "friction.oil[1].to");
+        changed("\"ball\": 0.2", "\"ball\": \"0.2\"", Code::WrongType, "friction.ball");
+        changed("1.62", "[1.62]", Code::WrongType, "friction.gravity");
+        changed("{\"from\": -1, \"to\": 0, \"friction\": 0.04}", "7", Code::NotAnObject, "friction.oil[0]");
+        changed("\"from\": -1", "\"from\": null", Code::WrongType, "friction.oil[0].from");
+        changed("\"ball\": 0.2", "\"ball\": -0.2", Code::OutOfRange, "friction.ball");
+        changed("\"pin\": 0.4", "\"pin\": 40", Code::OutOfRange, "friction.pin");
+        changed("1.62", "0", Code::NotPositive, "friction.gravity");
+        changed("\"to\": 0,", "\"to\": -2,", Code::OilReversed, "friction.oil[0].to");
+        changed("\"from\": 0.5", "\"from\": -0.5", Code::OilOverlap, "friction.oil[1].from",
+                "friction.oil[0]");
+        changed("0.1}", "11}", Code::OutOfRange, "friction.oil[1].friction");
+        added("oil an object", "\"friction\": {\"ball\": 0, \"oil\": {}}", Code::WrongType, "friction.oil");
+    }
+
+    template <class Changed, class Added> static void laneRows(const Changed& changed, const Added& added) {
+        const auto body = [&changed](const char* member, Code code, const char* path,
+                                     const char* other = "") {
+            changed(member, "\"mass\": 1.0", (QByteArray(member) + ", \"mass\": 1.0").constData(), code, path,
+                    other);
+        };
+        body("\"spin\": [1, 2]", Code::WrongType, "bodies[1].spin");
+        body("\"spin\": [1, 2, 3, 4]", Code::WrongType, "bodies[1].spin");
+        body("\"spin\": 3", Code::WrongType, "bodies[1].spin");
+        body("\"spin\": [1, 2, \"3\"]", Code::WrongType, "bodies[1].spin[2]");
+        body("\"spn\": [1, 2, 3]", Code::UnknownKey, "bodies[1].spn", "spin");
+        body("\"inertia\": {}", Code::WrongType, "bodies[1].inertia");
+        body("\"inertia\": 0", Code::OutOfOpenRange, "bodies[1].inertia");
+        body("\"inertia\": 1.1", Code::OutOfOpenRange, "bodies[1].inertia");
+        const auto kickbacks = [&added](const char* value, Code code, const char* path,
+                                        const char* other = "") {
+            added((QByteArray("kickbacks ") + value).constData(), withKickbacks(value), code, path, other);
+        };
+        kickbacks("[]", Code::WrongType, "lane.kickbacks");
+        kickbacks("{\"from\": 1}", Code::MissingKey, "lane.kickbacks.restitution");
+        kickbacks("{\"form\": 1, \"restitution\": 0.5}", Code::UnknownKey, "lane.kickbacks.form", "from");
+        kickbacks("{\"from\": \"1\", \"restitution\": 0.5}", Code::WrongType, "lane.kickbacks.from");
+        kickbacks("{\"from\": 1, \"restitution\": 1.5}", Code::OutOfRange, "lane.kickbacks.restitution");
+        kickbacks("{\"from\": 2.1, \"restitution\": 0.5}", Code::KickbacksOffTheLane, "lane.kickbacks.from");
+    }
+
     template <class Row, class Changed> static void notJsonRows(const Row& row, const Changed& changed) {
         row("empty", "", Code::NotJson, "line 1, column 1", emptyFileReason);
         row("blank", " \n\n ", Code::NotJson, "line 1, column 1", emptyFileReason);
@@ -261,6 +396,18 @@ private:
                 missingCommaReason);
         changed("colon lost", "\"id\": \"A\"", "\"id\" \"A\"", Code::NotJson, "line 6, column 11",
                 "missing name separator");
+        changed("point without a digit after", "2.0", "2.", Code::NotJson, "line 6, column 41",
+                bareNumberReason);
+        changed("point without a digit before", "0.05", ".05", Code::NotJson, "line 7, column 79",
+                bareNumberReason);
+        changed("point without a digit before, negative", "-0.5", "-.5", Code::NotJson, "line 6, column 75",
+                bareNumberReason);
+        changed("point before an exponent", "2.0", "2.e3", Code::NotJson, "line 6, column 41",
+                bareNumberReason);
+        changed("a line break in a text", "Two balls", "Two\nballs", Code::NotJson, "line 3, column 23",
+                rawControlReason);
+        changed("an escape that is none", "Two balls", "Two\\balls \\q", Code::NotJson, "line 3, column 30",
+                unknownEscapeReason);
         changed("key twice", "\"radius\"", "\"mass\": 3, \"radius\"", Code::NotJson, "bodies[0].mass",
                 duplicateKeyReason);
         changed("key twice, escaped", "\"radius\"", "\"m\\u0061ss\": 3, \"radius\"", Code::NotJson,
@@ -327,6 +474,7 @@ private:
                 "restitution");
         changed("wall restitution", "0.9", "-0.1", Code::OutOfRange, "frame.restitution");
         changed("id taken", "\"B\"", "\"A\"", Code::DuplicateId, "bodies[1].id", "A");
+        changed("id of a wall", "\"B\"", "\"wall:B\"", Code::ReservedId, "bodies[1].id", "wall:B");
         changed("id empty", "\"B\"", "\"\"", Code::EmptyId, "bodies[1].id");
         changed("overlap", "[0.4, 0.05]", "[-0.35, 0]", Code::Overlap, "bodies[1].position", "B");
         changed("beyond a wall", "[0.4, 0.05]", "[0.4, 0.6]", Code::OverlapsWall, "bodies[1].position",

@@ -44,6 +44,38 @@ QByteArray csvOf(const Run& run) {
     return buffer.data();
 }
 
+// A ball that slides and a pin that slides until it rests, as an engine would have written it; they stay in
+// touch for a while, and so do the pin and a wall. Two contacts of one pass, then one alone at the same
+// instant.
+Run handMadeRun() {
+    Scene scene;
+    scene.bodies = {{"A", BodyKind::Ball, 7, 0.11, {0, 0}, {3, 0}, {1, -2, 5}, 0.35},
+                    {"1", BodyKind::Pin, 1.5, 0.06, {1, 0}, {0, 1}, {9, 9, 9}}};
+    scene.friction = Friction{};
+    scene.friction->ball = 0.2;
+    TimelineRecord record;
+    record.segments = {{0, {0, {0, 0}, {3, 0}, {-2, 0}}},
+                       {1, {0, {1, 0}, {0, 1}, {0, -4}}},
+                       {1, {0.25, {1, 0.125}, {}, {}}}};
+    record.rotations = {
+        {{1, -2, 5}, {0.5, 4, 0}, FloorPhase::Sliding}, {{9, 9, 9}, {}, FloorPhase::Sliding}, {}};
+    Collision c;
+    c.time = 0.125;
+    c.second = 1;
+    c.pass = 7; // an engine's passes are any numbers
+    record.collisions = {c, c, c, c};
+    record.collisions[1].second = -1;
+    record.collisions[1].side = Side::Top;
+    record.collisions[2].pass = 0;
+    record.collisions[3].time = 0.25;
+    record.collisions[3].pass = 0;
+    record.collisionCount = 4;
+    record.lasting = {{0.125, 0.2, 0, 1, Side::Left}, {0.15, 0.25, 1, -1, Side::Bottom}};
+    record.endTime = 0.5;
+    EngineSettings settings{.until = 0.5, .contactTime = 2e-4};
+    return {scene, settings, Timeline(2, std::move(record))};
+}
+
 Vec2d vec(const QJsonValue& pair) {
     return {pair[0].toDouble(), pair[1].toDouble()};
 }
@@ -134,8 +166,68 @@ private slots:
         QCOMPARE(list.size(), 2);
         QCOMPARE(list[0]["group"].toInt(), 1);
         QCOMPARE(list[1]["group"].toInt(), 1);
+        QCOMPARE(list[0]["pass"].toInt(), 1);
         const QJsonArray alone = QJsonDocument::fromJson(jsonOf(runOf("head-on")))["collisions"].toArray();
-        QVERIFY(!alone[0].toObject().contains("group"));
+        for (const char* key : {"group", "pass", "together"})
+            QVERIFY(!alone[0].toObject().contains(QLatin1String(key)));
+    }
+
+    void passesAreNamedWhereThereAreAny() {
+        const QJsonArray list = QJsonDocument::fromJson(jsonOf(handMadeRun()))["collisions"].toArray();
+        const int pass[] = {1, 1, 2}, together[] = {2, 2, 1};
+        for (int i = 0; i < 3; ++i) {
+            QCOMPARE(list[i]["group"].toInt(), 1);
+            QCOMPARE(list[i]["pass"].toInt(), pass[i]);
+            QCOMPARE(list[i]["together"].toInt(), together[i]);
+        }
+        QVERIFY(!list[3].toObject().contains("pass") && !list[3].toObject().contains("together"));
+        const QList<QByteArray> lines = csvOf(handMadeRun()).trimmed().split('\n');
+        const QList<QByteArray> names = lines[0].split(',');
+        for (int i = 0; i < 3; ++i) {
+            const QList<QByteArray> cells = lines[i + 1].split(',');
+            QCOMPARE(cells[names.indexOf("pass")].toInt(), pass[i]);
+            QCOMPARE(cells[names.indexOf("together")].toInt(), together[i]);
+        }
+        QVERIFY(lines[4].endsWith(",,"));
+    }
+
+    void contactsThatLastAreListed() {
+        const Run run = handMadeRun();
+        const QJsonArray lasting = QJsonDocument::fromJson(jsonOf(run))["lasting"].toArray();
+        const QJsonArray expected{
+            QJsonObject{{"from", 0.125}, {"to", 0.2}, {"first", "A"}, {"second", "1"}},
+            QJsonObject{{"from", 0.15}, {"to", 0.25}, {"first", "1"}, {"second", "wall:bottom"}}};
+        QCOMPARE(lasting, expected);
+        QVERIFY(!QJsonDocument::fromJson(jsonOf(runOf("rack"))).object().contains("lasting"));
+        Run summary = run;
+        summary.settings.keepDetail = false;
+        QVERIFY(!QJsonDocument::fromJson(jsonOf(summary)).object().contains("lasting"));
+    }
+
+    void turningIsTold() {
+        const Run run = handMadeRun();
+        const QJsonObject o = QJsonDocument::fromJson(jsonOf(run)).object();
+        QCOMPARE(o["contact_time"].toDouble(), 2e-4);
+        const QJsonValue ball = o["end"]["bodies"][0], pin = o["end"]["bodies"][1];
+        QCOMPARE(ball["spin"].toArray(), (QJsonArray{1.25, 0, 5})); // + (0.5, 4, 0) · 0.5 s
+        QCOMPARE(ball["phase"].toString(), QString("sliding"));
+        QCOMPARE(pin["spin"].toArray(), (QJsonArray{0, 0, 0}));
+        QCOMPARE(pin["phase"].toString(), QString("rest"));
+        // ½ β m R² ω², of the ball alone; the other energy is of translation.
+        const double half = 0.5 * 0.35 * 7 * 0.11 * 0.11;
+        QCOMPARE(o["totals"]["start"]["rotational_energy"].toDouble(), half * (1 + 4 + 25));
+        QCOMPARE(o["totals"]["end"]["rotational_energy"].toDouble(), half * (1.25 * 1.25 + 25));
+        QCOMPARE(o["totals"]["start"]["energy"].toDouble(), 0.5 * 7 * 9 + 0.5 * 1.5);
+        QCOMPARE(o["totals"]["end"]["energy"].toDouble(), 0.5 * 7 * 4);
+    }
+
+    void nothingTurnsWithoutFriction() {
+        Run run = handMadeRun();
+        run.scene.friction.reset();
+        const QJsonObject o = QJsonDocument::fromJson(jsonOf(run)).object();
+        QVERIFY(!o.contains("lasting") && !o.contains("contact_time"));
+        QCOMPARE(o["end"]["bodies"][0].toObject().keys(), (QStringList{"id", "position", "velocity"}));
+        QCOMPARE(o["totals"]["start"].toObject().keys(), (QStringList{"energy", "momentum"}));
     }
 
     void summaryCountsWithoutAList() {
@@ -174,7 +266,10 @@ private slots:
         const Run run = runOf("two-balls", {.until = 2});
         const QList<QByteArray> lines = csvOf(run).trimmed().split('\n');
         const QList<QByteArray> names = lines[0].split(',');
-        QCOMPARE(names.size(), 29);
+        QCOMPARE(names.size(), 31);
+        // Programs may count columns: what is new comes last.
+        QCOMPARE(names.mid(0, 6).join(','), QByteArray("number,time,first,second,group,restitution"));
+        QCOMPARE(names.mid(27).join(','), QByteArray("impulse,energy_loss,pass,together"));
         const auto collisions = run.timeline.collisions();
         QCOMPARE(std::size_t(lines.size()), collisions.size() + 1);
         for (std::size_t i = 0; i < collisions.size(); ++i) {

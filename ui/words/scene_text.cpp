@@ -13,10 +13,12 @@ struct SceneText {
     Q_DECLARE_TR_FUNCTIONS(SceneText)
 };
 
-// What Qt's JSON reader says, for the translators; it is looked up by its English text.
+// What Qt's JSON reader and ours say, for the translators; it is looked up by its English text.
 [[maybe_unused]] constexpr const char* readerReasons[] = {
     QT_TRANSLATE_NOOP("SceneText", "the file is empty"),
     QT_TRANSLATE_NOOP("SceneText", "a comma or a closing bracket is missing"),
+    QT_TRANSLATE_NOOP("SceneText", "a number needs a digit on each side of its point"),
+    QT_TRANSLATE_NOOP("SceneText", "a control character in a text must be escaped"),
     QT_TRANSLATE_NOOP("SceneText", "unterminated object"),
     QT_TRANSLATE_NOOP("SceneText", "missing name separator"),
     QT_TRANSLATE_NOOP("SceneText", "unterminated array"),
@@ -67,6 +69,8 @@ QString wrongTypeMessage(ExpectedType expected) {
         return SceneText::tr("must be a list: […]");
     case ExpectedType::Pair:
         return SceneText::tr("must be two numbers: [x, y]");
+    case ExpectedType::Triple:
+        return SceneText::tr("must be three numbers: [x, y, z]");
     case ExpectedType::BodyKind:
         return SceneText::tr("must be \"ball\" or \"pin\"");
     }
@@ -90,11 +94,17 @@ QString valueMessage(const SceneError& e) {
     case SceneErrorCode::OutOfRange:
         return SceneText::tr("must be from %1 to %2, is %3")
             .arg(digits(e.low), digits(e.high), digits(e.value));
+    case SceneErrorCode::OutOfOpenRange:
+        return SceneText::tr("must be greater than %1 and at most %2, is %3")
+            .arg(digits(e.low), digits(e.high), digits(e.value));
     case SceneErrorCode::EmptyId:
         return SceneText::tr("must not be empty");
     case SceneErrorCode::DuplicateId:
         return SceneText::tr("\"%1\" is taken by an earlier body; every id must be unique")
             .arg(text(e.other));
+    case SceneErrorCode::ReservedId:
+        return SceneText::tr("\"%1\" begins with \"%2\", which names the walls in a run; choose another id")
+            .arg(text(e.other), text(std::string(wallPrefix)));
     case SceneErrorCode::NoBodies:
         return SceneText::tr("must hold at least one body");
     case SceneErrorCode::TooManyBodies:
@@ -120,6 +130,24 @@ QString placeMessage(const SceneError& e) {
     case SceneErrorCode::WallsCrossed:
         return SceneText::tr("must be greater than %1, which is the opposite side, is %2")
             .arg(digits(e.low), digits(e.value));
+    default:
+        return {};
+    }
+}
+
+// What is wrong with where the floor changes and the kickbacks stand.
+QString laneMessage(const SceneError& e) {
+    switch (e.code) {
+    case SceneErrorCode::OilReversed:
+        return SceneText::tr("must be greater than %1, where the oil begins, is %2")
+            .arg(digits(e.low), digits(e.value));
+    case SceneErrorCode::OilOverlap:
+        return SceneText::tr(
+                   "must be at least %1, where %2 ends, is %3; list the oil zones from low y to high y")
+            .arg(digits(e.low), text(e.other), digits(e.value));
+    case SceneErrorCode::KickbacksOffTheLane:
+        return SceneText::tr("must be from %1, the foul line, to %2, the end of the lane, is %3")
+            .arg(digits(e.low), digits(e.high), digits(e.value));
     default:
         return {};
     }
@@ -169,7 +197,8 @@ QString sceneTitle(const Scene& scene, Language::Code language) {
 }
 
 QString sceneErrorMessage(const SceneError& error) {
-    for (const auto& message : {valueMessage(error), placeMessage(error), fileMessage(error)})
+    for (const auto& message :
+         {valueMessage(error), placeMessage(error), laneMessage(error), fileMessage(error)})
         if (!message.isEmpty())
             return message;
     return {};
