@@ -10,16 +10,16 @@ namespace {
 
 // min ½ λᵀ G λ + bᵀ λ over λ >= 0, by the active-set method of Lawson and Hanson (Solving Least Squares
 // Problems, 1974, ch. 23).
-class ActiveSet {
+template <class Number> class ActiveSet {
 public:
-    ActiveSet(std::vector<std::vector<Quad>> g, std::vector<Quad> b, Quad tolerance)
+    ActiveSet(std::vector<std::vector<Number>> g, std::vector<Number> b, Number tolerance)
         : m_g(std::move(g))
         , m_b(std::move(b))
         , m_tolerance(std::move(tolerance))
-        , m_lambda(m_b.size(), Quad(0))
+        , m_lambda(m_b.size(), Number(0))
         , m_hopeless(m_b.size(), false) {}
 
-    std::vector<Quad> solve() {
+    std::vector<Number> solve() {
         // Each round lowers the objective; the bound is for rounding alone.
         for (std::size_t round = 0; round < 16 * m_b.size() + 16; ++round) {
             const std::size_t k = mostViolated();
@@ -31,16 +31,18 @@ public:
     }
 
 private:
+    static Number magnitude(const Number& x) { return x < 0 ? Number(-x) : x; }
+
     std::size_t mostViolated() const {
         std::size_t worst = m_b.size();
-        Quad least(0);
+        Number least(0);
         for (std::size_t k = 0; k < m_b.size(); ++k) {
             if (isActive(k) || m_hopeless[k])
                 continue;
-            Quad w = m_b[k], scale = abs(m_b[k]);
+            Number w = m_b[k], scale = magnitude(m_b[k]);
             for (const std::size_t l : m_active) {
                 w += m_g[k][l] * m_lambda[l];
-                scale += abs(m_g[k][l] * m_lambda[l]);
+                scale += magnitude(Number(m_g[k][l] * m_lambda[l]));
             }
             if (w < -m_tolerance * scale && w < least) {
                 least = w;
@@ -64,14 +66,14 @@ private:
         }
         m_active.push_back(k);
         for (;;) {
-            const std::vector<Quad> goal = solveActive();
-            Quad step(1);
+            const std::vector<Number> goal = solveActive();
+            Number step(1);
             std::size_t leaves = m_active.size();
             for (std::size_t a = 0; a < m_active.size(); ++a) {
                 if (goal[a] > 0)
                     continue;
-                const Quad& from = m_lambda[m_active[a]];
-                const Quad reach = from > goal[a] ? Quad(from / (from - goal[a])) : Quad(0);
+                const Number& from = m_lambda[m_active[a]];
+                const Number reach = from > goal[a] ? Number(from / (from - goal[a])) : Number(0);
                 if (leaves == m_active.size() || reach < step) {
                     step = reach;
                     leaves = a;
@@ -88,12 +90,12 @@ private:
 
     // Where the active contacts already do what k does (two walls on one body): along which impulses trade
     // places without moving anything.
-    std::optional<std::vector<Quad>> dependence(std::size_t k) const {
-        std::vector<Quad> right;
+    std::optional<std::vector<Number>> dependence(std::size_t k) const {
+        std::vector<Number> right;
         for (const std::size_t l : m_active)
             right.push_back(-m_g[l][k]);
-        const std::vector<Quad> d = solveFor(right);
-        Quad left = m_g[k][k];
+        const std::vector<Number> d = solveFor(right);
+        Number left = m_g[k][k];
         for (std::size_t a = 0; a < m_active.size(); ++a)
             left += m_g[k][m_active[a]] * d[a];
         if (left > m_tolerance * m_g[k][k])
@@ -102,13 +104,13 @@ private:
     }
 
     // As far as possible; false if nothing bounds it, which a body that could not escape would need.
-    bool walk(const std::vector<Quad>& d, std::size_t k) {
+    bool walk(const std::vector<Number>& d, std::size_t k) {
         std::size_t leaves = m_active.size();
-        Quad step(0);
+        Number step(0);
         for (std::size_t a = 0; a < m_active.size(); ++a) {
             if (!(d[a] < 0))
                 continue;
-            const Quad reach = -m_lambda[m_active[a]] / d[a];
+            const Number reach = -m_lambda[m_active[a]] / d[a];
             if (leaves == m_active.size() || reach < step) {
                 step = reach;
                 leaves = a;
@@ -124,23 +126,23 @@ private:
         return true;
     }
 
-    std::vector<Quad> solveActive() const {
-        std::vector<Quad> right;
+    std::vector<Number> solveActive() const {
+        std::vector<Number> right;
         for (const std::size_t k : m_active)
             right.push_back(-m_b[k]);
         return solveFor(std::move(right));
     }
 
     // G x = right over the active contacts: G is symmetric and positive there.
-    std::vector<Quad> solveFor(std::vector<Quad> x) const {
+    std::vector<Number> solveFor(std::vector<Number> x) const {
         const std::size_t n = m_active.size();
-        std::vector<std::vector<Quad>> a(n, std::vector<Quad>(n));
+        std::vector<std::vector<Number>> a(n, std::vector<Number>(n));
         for (std::size_t r = 0; r < n; ++r)
             for (std::size_t c = 0; c < n; ++c)
                 a[r][c] = m_g[m_active[r]][m_active[c]];
         for (std::size_t p = 0; p < n; ++p) {
             for (std::size_t r = p + 1; r < n; ++r) {
-                const Quad factor = a[r][p] / a[p][p];
+                const Number factor = a[r][p] / a[p][p];
                 for (std::size_t c = p; c < n; ++c)
                     a[r][c] -= factor * a[p][c];
                 x[r] -= factor * x[p];
@@ -154,21 +156,21 @@ private:
         return x;
     }
 
-    std::vector<std::vector<Quad>> m_g;
-    std::vector<Quad> m_b;
-    Quad m_tolerance; // relative to the terms of a sum: less is rounding
-    std::vector<Quad> m_lambda;
+    std::vector<std::vector<Number>> m_g;
+    std::vector<Number> m_b;
+    Number m_tolerance; // relative to the terms of a sum: less is rounding
+    std::vector<Number> m_lambda;
     std::vector<std::size_t> m_active;
     std::vector<bool> m_hopeless; // between what cannot be moved
 };
 
-template <class Real>
-Quad coupling(const GroupContact<Real>& k, const GroupContact<Real>& l, std::span<const Real> inverseMass) {
-    const Quad along = Quad(k.normal.x) * Quad(l.normal.x) + Quad(k.normal.y) * Quad(l.normal.y);
-    Quad sum(0);
+template <class Number, class Real>
+Number coupling(const GroupContact<Real>& k, const GroupContact<Real>& l, std::span<const Real> inverseMass) {
+    const Number along = Number(k.normal.x) * Number(l.normal.x) + Number(k.normal.y) * Number(l.normal.y);
+    Number sum(0);
     const auto share = [&](std::size_t a, std::size_t b, int sign) {
         if (a == b && a != GroupContact<Real>::wall)
-            sum += sign * Quad(inverseMass[a]);
+            sum += sign * Number(inverseMass[a]);
     };
     share(k.first, l.first, 1);
     share(k.first, l.second, -1);
@@ -177,17 +179,17 @@ Quad coupling(const GroupContact<Real>& k, const GroupContact<Real>& l, std::spa
     return sum * along;
 }
 
-template <class Real>
-std::vector<Quad> exactImpulses(std::span<const GroupContact<Real>> contacts,
-                                std::span<const Real> inverseMass) {
-    std::vector<std::vector<Quad>> g(contacts.size(), std::vector<Quad>(contacts.size()));
-    std::vector<Quad> b;
+template <class Number, class Real>
+std::vector<Number> impulsesIn(std::span<const GroupContact<Real>> contacts,
+                               std::span<const Real> inverseMass, const Number& tolerance) {
+    std::vector<std::vector<Number>> g(contacts.size(), std::vector<Number>(contacts.size()));
+    std::vector<Number> b;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         b.emplace_back(contacts[k].demand);
         for (std::size_t l = 0; l < contacts.size(); ++l)
-            g[k][l] = coupling(contacts[k], contacts[l], inverseMass);
+            g[k][l] = coupling<Number, Real>(contacts[k], contacts[l], inverseMass);
     }
-    return ActiveSet(std::move(g), std::move(b), Quad(std::numeric_limits<Real>::epsilon()) / 16).solve();
+    return ActiveSet<Number>(std::move(g), std::move(b), tolerance).solve();
 }
 
 // Projected relaxation, then one scaling along the whole, after which the energy law holds whatever is left.
@@ -285,9 +287,10 @@ template <class Real>
 GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
                                   std::span<const Real> inverseMass) {
     constexpr std::size_t mostExact = 32;
-    const std::vector<Quad> impulses = contacts.size() <= mostExact
-                                           ? exactImpulses<Real>(contacts, inverseMass)
-                                           : Relaxation<Real>(contacts, inverseMass).solve();
+    const std::vector<Quad> impulses =
+        contacts.size() <= mostExact
+            ? impulsesIn<Quad, Real>(contacts, inverseMass, Quad(std::numeric_limits<Real>::epsilon()) / 16)
+            : Relaxation<Real>(contacts, inverseMass).solve();
     std::vector<Change> change(inverseMass.size());
     GroupSolution<Real> out;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -305,6 +308,26 @@ GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
         out.change.push_back(c.rounded<Real>());
     return out;
 }
+
+template <class Real>
+GroupSolution<Real> solveForces(std::span<const GroupContact<Real>> contacts,
+                                std::span<const Real> inverseMass) {
+    GroupSolution<Real> out;
+    out.impulse = impulsesIn<Real, Real>(contacts, inverseMass, 256 * std::numeric_limits<Real>::epsilon());
+    out.change.resize(inverseMass.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const auto& c = contacts[k];
+        const Vec2<Real> push = c.normal * out.impulse[k];
+        out.change[c.first] = out.change[c.first] + push * inverseMass[c.first];
+        if (c.second != GroupContact<Real>::wall)
+            out.change[c.second] = out.change[c.second] - push * inverseMass[c.second];
+    }
+    return out;
+}
+
+template GroupSolution<float> solveForces(std::span<const GroupContact<float>>, std::span<const float>);
+template GroupSolution<double> solveForces(std::span<const GroupContact<double>>, std::span<const double>);
+template GroupSolution<Quad> solveForces(std::span<const GroupContact<Quad>>, std::span<const Quad>);
 
 template GroupSolution<float> solveContacts(std::span<const GroupContact<float>>, std::span<const float>);
 template GroupSolution<double> solveContacts(std::span<const GroupContact<double>>, std::span<const double>);

@@ -30,13 +30,18 @@ template <class Real> struct GroupSolution {
 // The impulses λ >= 0 with (G λ)ₖ + bₖ >= 0, and λₖ > 0 only where that is an equality; (G λ)ₖ is by how much
 // the impulses change the normal velocity of contact k. With bₖ = (1 + eₖ) uₖ, uₖ < 0 the normal velocity
 // before, each contact either parts with its own -eₖ uₖ or is parted faster by the others and gets nothing.
-// Kinetic energy changes by -½ Σ λₖ (1 - eₖ) |uₖ|, never up. Also for forces, with accelerations for b.
+// Kinetic energy changes by -½ Σ λₖ (1 - eₖ) |uₖ|, never up.
 // Found in 113 bits, so that what is symmetric comes out symmetric after rounding; for more than 32 contacts
 // by relaxation.
 // inverseMass: of the group's bodies, 0 for one that cannot be moved.
 template <class Real>
 GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
                                   std::span<const Real> inverseMass);
+
+// The same for forces, with accelerations for b; in Real's own arithmetic, for it is asked often.
+template <class Real>
+GroupSolution<Real> solveForces(std::span<const GroupContact<Real>> contacts,
+                                std::span<const Real> inverseMass);
 
 // The five steps for one contact of several that were resolved together: `impulse` is its own, `after` what
 // all of them together left. `momentumResidual` is of the two bodies as if alone: the caller's to overwrite.

@@ -113,6 +113,7 @@ private:
             m_settlement.reflect(absolute(m_now), [&](const auto& touch, const auto& v) {
                 return pressing.slowestRebound(m_settlement.touches(), touch, v);
             });
+            m_settlement.stopBelow(pressing.restingSpeed(m_settlement.touches(), m_settlement.velocities()));
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
             for (Index k = 0; k < bodies.size(); ++k)

@@ -32,6 +32,11 @@ public:
         return closing > Real(0) ? Real(closing * m_contactTime / 2) : Real(0);
     }
 
+    // What friction would stop within a billionth of the contact time is at rest [m/s].
+    Real restingSpeed(const Touches& touches, const Velocities& v) const {
+        return strongest(touches, v) * m_contactTime * Real(1e-9f);
+    }
+
     // The forces of a cluster whose bodies have velocities v. pushes(): each body's acceleration by them;
     // pressed(): the touches that last; holdsFor(): for how long.
     void solve(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
@@ -125,7 +130,7 @@ private:
             held[b] = m_floor.wouldRest(bodies[b], v[b]);
         GroupSolution<Real> solution;
         for (int round = 0; round < 4;) {
-            solution = solveContacts<Real>(demands(touches, v), inverseMasses(bodies, v, held));
+            solution = solveForces<Real>(demands(touches, v), inverseMasses(bodies, v, held));
             for (Index b = 0; b < bodies.size(); ++b)
                 m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
             round = loosen(bodies, touches, solution.impulse, held) ? 0 : round + 1;

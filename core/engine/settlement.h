@@ -54,6 +54,12 @@ public:
         }
     }
 
+    void stopBelow(const Real& speed) {
+        for (Vec2<Real>& v : m_velocities)
+            if (norm(v) < speed)
+                v = {};
+    }
+
     static constexpr int passesPerBody = 32;
 
 private:
