@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/run_report.h"
 #include "app/scene_source.h"
+#include "ui/words/instant.h"
 #include "ui/words/number_text.h"
 #include "ui/words/worked_steps.h"
 
@@ -33,7 +34,12 @@ void printExplanation(const Run& run, std::size_t index, Language::Code language
     printLine(
         ExplainCommandText::tr("Collision %1: %2, at %3 s")
             .arg(QString::number(index + 1), pairText(run.scene, collision), numberText(collision.time, 6)));
-    for (const WorkedStep& step : workedSteps(run.scene, collision))
+    const Instant instant = instantOf(run.timeline.collisions(), index);
+    if (instant.size > 1) {
+        printLine(instantText(instant, index) + QStringLiteral("."));
+        printLine(instantRule(instant));
+    }
+    for (const WorkedStep& step : workedSteps(run.scene, run.timeline.collisions(), index))
         printStep(step);
 }
 
@@ -62,7 +68,8 @@ int explainCommand(const Call& call) {
     auto scene = loadScene(a.positional());
     if (const auto* fault = std::get_if<QString>(&scene))
         return wrongCall(*fault);
-    settings.maxCollisions = std::min<std::int64_t>(settings.maxCollisions, number); // the rest is not asked
+    constexpr qint64 sameInstant = 256; // those of its instant are told of; the rest is not asked
+    settings.maxCollisions = std::min<std::int64_t>(settings.maxCollisions, number + sameInstant);
     const auto outcome = simulateOrTell(std::get<Scene>(std::move(scene)), settings);
     if (const auto* fault = std::get_if<QString>(&outcome))
         return wrongCall(*fault);
