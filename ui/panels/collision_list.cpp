@@ -104,7 +104,7 @@ void CollisionList::fitColumns() {
         m_table->setColumnWidth(column, wide + 10);
     };
     const QString digits = QString::number(std::max(10, m_model->rowCount()));
-    fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("0")); // and the bracket
+    fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("00")); // and the bracket
     fit(CollisionModel::Time, QStringLiteral("0.0000"));
     for (const int column : {CollisionModel::Impulse, CollisionModel::EnergyLoss})
         fit(column, widestText(column));
