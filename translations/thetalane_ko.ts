@@ -117,6 +117,10 @@
         <source>Only contacts whose bodies approach are resolved, and here that was one at a time: it set the next two bodies approaching, and so the impulse is passed on along the chain. Passes repeat until no two bodies approach; the energy never rises.</source>
         <translation>두 물체가 서로 다가가는 접촉만 계산합니다. 여기서는 그런 접촉이 한 번에 하나씩이었고, 그 결과 다음 두 물체가 다가가게 되어 충격량이 사슬을 따라 차례로 전달됩니다. 다가가는 두 물체가 없을 때까지 회차를 되풀이하며, 운동 에너지는 결코 늘어나지 않습니다.</translation>
     </message>
+    <message>
+        <source>The paper&apos;s loop goes through the pairs at every step and exchanges each that overlaps by itself, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
+        <translation>논문의 반복 계산은 매 시간 간격마다 쌍을 차례로 살펴, 겹친 쌍을 목록의 순서대로 하나씩 따로 계산합니다. 그래서 결과가 순서에 따라 달라지고 대칭이 유지되지 않습니다. 정확한 계산에서는 이런 접촉을 함께 계산합니다.</translation>
+    </message>
 </context>
 <context>
     <name>MainText</name>

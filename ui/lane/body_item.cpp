@@ -99,6 +99,8 @@ void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     const Pixels pixels(*painter);
     if (m_role == Role::Receding)
         painter->setOpacity(0.32);
+    else if (m_role == Role::Beside)
+        painter->setOpacity(0.6);
     else if (m_lost)
         painter->setOpacity(0.42);
     if (m_hovered) {
@@ -210,7 +212,7 @@ void BodyItem::paintName(QPainter& painter, const QPointF& at, double radius) co
     const double most = m_appearance.pixels(Appearance::Size::Title);
     const double size = std::min({most, 1.3 * room, 1.75 * room / m_nameWidth});
     painter.setPen(m_kind == BodyKind::Pin ? m_appearance.text() : QColor(Qt::white));
-    if (size >= least) {
+    if (size >= least && !m_turn) { // a name over the finger holes would hide how it turns
         const double pixels = std::floor(size);
         font.setPixelSize(int(pixels));
         painter.setFont(font);

@@ -73,12 +73,15 @@ void LastingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
         const QPointF at = pixels.at(mark.contact);
         const QPointF along(mark.along.x, -mark.along.y);
         const QPointF across(-along.y(), along.x());
-        const double half = std::clamp(pixels.length(mark.reach) * 0.7, 4.0 * wide, 12.0 * wide);
+        const double radius = pixels.length(mark.reach);
+        if (radius < 2.5 * wide)
+            continue; // on the strip it would cover both
+        const double half = std::clamp(radius * 0.7, 3.0 * wide, 12.0 * wide);
         // Light beneath, so that it is seen on any colour.
-        for (const auto& [colour, width] : {std::pair{m_appearance.card(), 3.0 * wide},
-                                            {m_appearance.textInk(Ink::Triangle), 1.25 * wide}}) {
+        for (const auto& [colour, width] :
+             {std::pair{m_appearance.card(), 2.5 * wide}, {m_appearance.textInk(Ink::Triangle), wide}}) {
             painter->setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
-            for (const double side : {-1.5 * wide, 1.5 * wide})
+            for (const double side : {-1.1 * wide, 1.1 * wide})
                 painter->drawLine(at + along * side - across * half, at + along * side + across * half);
         }
     }

@@ -48,7 +48,8 @@ InstantNote::InstantNote(const Context& context, QWidget* parent)
     , m_rule(new QLabel(this))
     , m_with(new QLabel(this)) {
     setObjectName(QStringLiteral("instantNote"));
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // Not Fixed: that would be the height for the width it has before it is laid out.
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     m_place->setObjectName(QStringLiteral("instantPlace"));
@@ -83,9 +84,9 @@ void InstantNote::showCollision(std::size_t index) {
     const auto collisions = m_context.session.timeline().collisions();
     m_index = index;
     m_instant = instantOf(collisions, index);
-    setVisible(m_instant.size > 1);
     makeLinks();
     say();
+    setVisible(m_instant.size > 1);
 }
 
 void InstantNote::explain(bool on) {
@@ -121,8 +122,9 @@ void InstantNote::say() {
     m_place->setText(instantText(m_instant, m_index));
     m_why->setText(instantQuestion(m_instant));
     m_why->setAccessibleName(instantQuestion(m_instant));
-    m_why->setToolTip(instantRule(m_instant) + QStringLiteral(" (F1)"));
-    m_rule->setText(instantRule(m_instant));
+    const QString rule = instantRule(m_instant, m_context.session.run()->settings.kind);
+    m_why->setToolTip(rule + QStringLiteral(" (F1)"));
+    m_rule->setText(rule);
     const auto collisions = m_context.session.timeline().collisions();
     const int more = int(m_instant.passSize - 1 - m_links.size());
     m_with->setText(more > 0 ? tr("Together with, among %n others:", nullptr, more + int(m_links.size()))
@@ -177,6 +179,15 @@ int InstantNote::heightForWidth(int width) const {
 
 QSize InstantNote::sizeHint() const {
     return {240, heightForWidth(std::max(width(), 240))};
+}
+
+// A label within wants another height: when it is first shown, it is given its style.
+bool InstantNote::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        updateGeometry();
+        arrange(width(), true);
+    }
+    return QWidget::event(event);
 }
 
 void InstantNote::resizeEvent(QResizeEvent*) {

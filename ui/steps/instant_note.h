@@ -50,6 +50,7 @@ signals:
     void grew();
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent*) override;
     void changeEvent(QEvent* event) override;
 

@@ -70,7 +70,13 @@ QString instantQuestion(const Instant& i) {
                           : QCoreApplication::translate("Instant", "Why one after another?");
 }
 
-QString instantRule(const Instant& i) {
+QString instantRule(const Instant& i, EngineKind engine) {
+    if (engine == EngineKind::Stepped)
+        return QCoreApplication::translate(
+            "Instant", "The paper's loop goes through the pairs at every step and exchanges each that "
+                       "overlaps by itself, in the order of the list. The outcome depends on that order, and "
+                       "what is symmetric does not stay so; the exact way resolves such contacts "
+                       "together.");
     if (i.passSize > 1)
         return QCoreApplication::translate(
             "Instant",

@@ -1,7 +1,7 @@
 // Contacts of the same instant: which they are, in which pass they were resolved, and what is said about it.
 #pragma once
 
-#include "core/timeline/timeline.h"
+#include "core/engine/engine.h"
 
 #include <QString>
 
@@ -39,7 +39,7 @@ QString instantText(const Instant& instant, std::size_t index);
 
 // The question a reader has, and the rule that answers it, in a few sentences.
 QString instantQuestion(const Instant& instant); // "Why together?"
-QString instantRule(const Instant& instant);
+QString instantRule(const Instant& instant, EngineKind engine);
 
 QString contactName(const Scene& scene, const Collision& collision); // "A → C"
 
