@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/run_report.h"
 #include "app/scene_source.h"
+#include "ui/words/instant.h"
 #include "ui/words/number_text.h"
 #include "ui/words/worked_steps.h"
 
@@ -27,29 +28,18 @@ void printStep(const WorkedStep& step) {
         printLine("    " + oneLine(plainText(line)));
 }
 
-QString tieText(const Collision& c) {
-    if (c.together == 1)
-        return ExplainCommandText::tr("Several contacts meet at this instant (tie %1); this one is resolved "
-                                      "alone, in pass %2")
-            .arg(c.group)
-            .arg(c.pass);
-    return ExplainCommandText::tr(
-               "Several contacts meet at this instant (tie %1); this one is resolved in pass "
-               "%2, %3 together")
-        .arg(c.group)
-        .arg(c.pass)
-        .arg(c.together);
-}
-
 void printExplanation(const Run& run, std::size_t index, Language::Code language) {
     const Collision& collision = run.timeline.collisions()[index];
     printHeading(run, language);
     printLine(
         ExplainCommandText::tr("Collision %1: %2, at %3 s")
             .arg(QString::number(index + 1), pairText(run.scene, collision), numberText(collision.time, 6)));
-    if (collision.group > 0)
-        printLine(tieText(collision));
-    for (const WorkedStep& step : workedSteps(run.scene, collision))
+    const Instant instant = instantOf(run.timeline.collisions(), index);
+    if (instant.size > 1) {
+        printLine(instantText(instant, index) + QStringLiteral("."));
+        printLine(instantRule(instant, run.settings.kind));
+    }
+    for (const WorkedStep& step : workedSteps(run.scene, run.timeline.collisions(), index))
         printStep(step);
 }
 

@@ -92,13 +92,42 @@
         <source>which collision, from 1; the first unless said</source>
         <translation>몇 번째 충돌인지 (1부터). 기본값은 첫 번째</translation>
     </message>
+</context>
+<context>
+    <name>Instant</name>
     <message>
-        <source>Several contacts meet at this instant (tie %1); this one is resolved alone, in pass %2</source>
-        <translation>이 순간에 여러 접촉이 겹칩니다(동시 충돌 %1). 이 충돌은 %2번째 차례에 따로 계산했습니다</translation>
+        <source>Contact %1 of %2 at this instant</source>
+        <translation>이 순간의 접촉 %2개 중 %1번째</translation>
+    </message>
+    <message numerus="yes">
+        <source>pass %1 of %2: %n contacts resolved together</source>
+        <translation>
+            <numerusform>%2회차 중 %1회차: 접촉 %n개를 함께 계산</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Several contacts meet at this instant (tie %1); this one is resolved in pass %2, %3 together</source>
-        <translation>이 순간에 여러 접촉이 겹칩니다(동시 충돌 %1). 이 충돌은 %2번째 차례에 접촉 %3개를 한꺼번에 계산한 것 가운데 하나입니다</translation>
+        <source>pass %1 of %2, one pass after another</source>
+        <translation>%2회차 중 %1회차: 한 번에 하나씩 차례로 계산</translation>
+    </message>
+    <message>
+        <source>Why together?</source>
+        <translation>왜 함께 계산하나요?</translation>
+    </message>
+    <message>
+        <source>Why one after another?</source>
+        <translation>왜 차례로 계산하나요?</translation>
+    </message>
+    <message>
+        <source>All contacts at one instant whose bodies approach are resolved together, in one pass: each gets an impulse that can only push, and parts its two bodies with e times the speed at which they met, unless the other impulses part them faster still. Taken one by one, the outcome would depend on the order, and what is symmetric would not stay so. Passes repeat until no two bodies approach; the energy never rises.</source>
+        <translation>같은 순간의 접촉 가운데 두 물체가 서로 다가가는 접촉은 모두 한 회차에 함께 계산합니다. 각 접촉의 충격량은 밀기만 하며, 두 물체는 다가가던 속력의 e배로 멀어집니다. 다만 다른 충격량이 이미 더 빠르게 떼어 놓으면 그대로 둡니다. 하나씩 계산하면 결과가 순서에 따라 달라지고 대칭이 깨집니다. 다가가는 두 물체가 없을 때까지 회차를 되풀이하며, 운동 에너지는 결코 늘어나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Only contacts whose bodies approach are resolved, and here that was one at a time: it set the next two bodies approaching, and so the impulse is passed on along the chain. Passes repeat until no two bodies approach; the energy never rises.</source>
+        <translation>두 물체가 서로 다가가는 접촉만 계산합니다. 여기서는 그런 접촉이 한 번에 하나씩이었고, 그 결과 다음 두 물체가 다가가게 되어 충격량이 사슬을 따라 차례로 전달됩니다. 다가가는 두 물체가 없을 때까지 회차를 되풀이하며, 운동 에너지는 결코 늘어나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s loop goes through the pairs at every step and exchanges each that overlaps by itself, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
+        <translation>논문의 반복 계산은 매 시간 간격마다 쌍을 차례로 살펴, 겹친 쌍을 목록의 순서대로 하나씩 따로 계산합니다. 그래서 결과가 순서에 따라 달라지고 대칭이 유지되지 않습니다. 정확한 계산에서는 이런 접촉을 함께 계산합니다.</translation>
     </message>
 </context>
 <context>
@@ -854,6 +883,28 @@
         <source>The wall W counts as a second body of infinite mass at rest; the line of centres stands square on it.</source>
         <translation>벽 W는 질량이 무한대이고 정지해 있는 둘째 물체로 봅니다. 중심선은 벽에 수직입니다.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n contacts are resolved together: their impulses are found all at once, so that each contact keeps its own law of restitution along its own line of centres, and impulses that meet on a body add up.</source>
+        <translation>
+            <numerusform>접촉 %n개를 함께 계산합니다. 각 접촉이 자신의 중심선을 따라 반발 계수 식을 만족하도록 모든 충격량을 한꺼번에 구하며, 한 물체에 모이는 충격량은 더해집니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Here the other impulses part the two faster than e asks.</source>
+        <translation>여기서는 다른 접촉의 충격량이 두 물체를 e로 정해지는 것보다 더 빠르게 떼어 놓습니다.</translation>
+    </message>
+    <message>
+        <source>An impulse along another line strikes %1 too, so y′ changes there as well.</source>
+        <translation>다른 중심선을 따라 작용하는 충격량을 %1도 받으므로, 그 y′ 성분도 변합니다.</translation>
+    </message>
+    <message>
+        <source>Of contacts resolved together it is the momentum of them all that must be the same, every body counted once; the law of restitution holds at each contact.</source>
+        <translation>함께 계산한 접촉에서는 관련된 모든 물체를 한 번씩 더한 운동량의 합이 보존되어야 합니다. 반발 계수 식은 접촉마다 성립합니다.</translation>
+    </message>
+    <message>
+        <source>A wall is among them: it takes up an impulse, and by just that the momentum changes.</source>
+        <translation>그 가운데 벽과의 접촉이 있습니다. 벽이 주고받은 충격량만큼 운동량이 변합니다.</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::BodiesPanel</name>
@@ -928,6 +979,38 @@
         <source>Position</source>
         <translation>위치</translation>
     </message>
+    <message>
+        <source>Spin x</source>
+        <translation>각속도 x</translation>
+    </message>
+    <message>
+        <source>Spin y</source>
+        <translation>각속도 y</translation>
+    </message>
+    <message>
+        <source>Spin z</source>
+        <translation>각속도 z</translation>
+    </message>
+    <message>
+        <source>Moment of inertia β</source>
+        <translation>관성 모멘트 β</translation>
+    </message>
+    <message>
+        <source>Angular velocity about x; negative rolls up the screen</source>
+        <translation>x축 둘레의 각속도. 음수이면 화면 위쪽으로 구르는 회전입니다.</translation>
+    </message>
+    <message>
+        <source>Angular velocity about y; positive rolls to the right</source>
+        <translation>y축 둘레의 각속도. 양수이면 오른쪽으로 구르는 회전입니다.</translation>
+    </message>
+    <message>
+        <source>Angular velocity about the vertical, counter-clockwise; it does not bend the path</source>
+        <translation>연직축 둘레의 각속도(시계 반대 방향). 경로를 휘게 하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>β = I/(m R²), greater than 0, at most 1; 0.4 for a uniform sphere</source>
+        <translation>β = I/(m R²). 0보다 크고 1 이하여야 하며, 균일한 구는 0.4입니다.</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::CollisionList</name>
@@ -946,14 +1029,6 @@
 </context>
 <context>
     <name>thetalane::CollisionModel</name>
-    <message>
-        <source>At the same instant as the rows it is joined with</source>
-        <translation>이어진 행과 같은 순간에 일어난 충돌</translation>
-    </message>
-    <message>
-        <source>Number of the collision. A bracket joins those of the same instant.</source>
-        <translation>충돌의 번호. 같은 순간에 일어난 충돌은 괄호로 묶었습니다.</translation>
-    </message>
     <message>
         <source>Time</source>
         <translation>시각</translation>
@@ -1002,6 +1077,14 @@
         <source>Bodies</source>
         <translation>충돌한 물체</translation>
     </message>
+    <message>
+        <source>Number of the collision. A bracket joins those of the same instant, a bar beside it those that were resolved together.</source>
+        <translation>충돌의 번호. 같은 순간에 일어난 충돌은 괄호로, 그중 함께 계산한 것은 그 옆의 굵은 막대로 묶었습니다.</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>회차</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::EngineChooser</name>
@@ -1027,6 +1110,13 @@
     </message>
 </context>
 <context>
+    <name>thetalane::Floor</name>
+    <message>
+        <source>oil, μ = %1</source>
+        <translation>오일, μ = %1</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::FormulaView</name>
     <message>
         <source>Formulas of this step</source>
@@ -1039,6 +1129,27 @@
     <message>
         <source>Copy all lines</source>
         <translation>모든 줄 복사</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::InstantNote</name>
+    <message numerus="yes">
+        <source>Together with, among %n others:</source>
+        <translation>
+            <numerusform>함께 계산(다른 접촉 %n개 가운데):</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Together with:</source>
+        <translation>함께 계산:</translation>
+    </message>
+    <message>
+        <source>Open collision %1, resolved together with this one</source>
+        <translation>함께 계산한 충돌 %1번을 엽니다</translation>
+    </message>
+    <message>
+        <source>Open collision %1: %2</source>
+        <translation>충돌 %1번 열기: %2</translation>
     </message>
 </context>
 <context>
@@ -1062,6 +1173,22 @@
     <message>
         <source>Click: open its next collision</source>
         <translation>누르면 이 물체의 다음 충돌을 엽니다</translation>
+    </message>
+    <message>
+        <source>It rolls</source>
+        <translation>구르는 중</translation>
+    </message>
+    <message>
+        <source>It slides</source>
+        <translation>미끄러지는 중</translation>
+    </message>
+    <message>
+        <source>Turns at %1 rad/s, %2 rpm</source>
+        <translation>각속도 %1 rad/s (%2 rpm)</translation>
+    </message>
+    <message>
+        <source>Stays pressed against %1</source>
+        <translation>%1에 눌려 맞닿아 있음</translation>
     </message>
 </context>
 <context>
@@ -1231,9 +1358,15 @@
         <translation>끌어서 원하는 시각으로 옮깁니다. 눈금을 누르면 그 충돌이 열립니다. 방향키는 한 프레임씩, Ctrl과 함께 누르면 충돌 단위로 옮기고, Home과 End는 양 끝으로 옮깁니다.</translation>
     </message>
     <message numerus="yes">
-        <source>and %n more at the same instant</source>
+        <source>and %n more at the same instant, resolved together</source>
         <translation>
-            <numerusform>같은 순간에 %n건 더</numerusform>
+            <numerusform>같은 순간에 %n건 더, 함께 계산</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more at the same instant, in %1 passes</source>
+        <translation>
+            <numerusform>같은 순간에 %n건 더, 모두 %1회차에 걸쳐 계산</numerusform>
         </translation>
     </message>
 </context>
@@ -1300,12 +1433,6 @@
         <source>Collision %1 of %2</source>
         <translation>충돌 %1 / %2</translation>
     </message>
-    <message numerus="yes">
-        <source>one of %n at the same instant</source>
-        <translation>
-            <numerusform>같은 순간의 충돌 %n개 가운데 하나</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Open a collision and see, step by step, how it comes out.</source>
         <translation>충돌을 하나 열어, 그 결과가 나오는 과정을 단계별로 살펴봅시다.</translation>
@@ -1362,16 +1489,8 @@
         <translation>회전</translation>
     </message>
     <message>
-        <source>Turns a minute</source>
-        <translation>분당 회전수</translation>
-    </message>
-    <message>
         <source>Axis of rotation</source>
         <translation>회전축</translation>
-    </message>
-    <message>
-        <source>From a forward roll, positive hooks to the left</source>
-        <translation>앞으로 구르는 회전을 기준으로 잰 각. 양수이면 왼쪽으로 휩니다.</translation>
     </message>
     <message>
         <source>Coefficient of restitution e</source>
@@ -1380,10 +1499,6 @@
     <message>
         <source>Between ball and pins, and pins and pins</source>
         <translation>볼링공과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
-    </message>
-    <message>
-        <source>Rotation takes effect when the lane has friction.</source>
-        <translation>회전은 레인에 마찰이 있을 때 효과가 나타납니다.</translation>
     </message>
     <message>
         <source>Throw</source>
@@ -1420,6 +1535,46 @@
     <message>
         <source>board %1</source>
         <translation>보드 %1번</translation>
+    </message>
+    <message>
+        <source>Turns a minute at the foul line; it acts through the friction of the lane</source>
+        <translation>파울 라인에서의 분당 회전수. 레인의 마찰을 통해서만 경로에 영향을 줍니다.</translation>
+    </message>
+    <message>
+        <source>0: a forward roll; positive: turned so that the ball hooks to the left, 90: side spin alone</source>
+        <translation>0°는 앞으로 구르는 회전입니다. 양수이면 공이 왼쪽으로 휘고, 90°는 옆으로만 도는 회전입니다.</translation>
+    </message>
+    <message>
+        <source>forward roll</source>
+        <translation>앞으로 구름</translation>
+    </message>
+    <message>
+        <source>hooks left</source>
+        <translation>왼쪽 훅</translation>
+    </message>
+    <message>
+        <source>hooks right</source>
+        <translation>오른쪽 훅</translation>
+    </message>
+    <message>
+        <source>This lane has no friction, so rotation does not change the path.</source>
+        <translation>이 레인에는 마찰이 없으므로 회전이 경로를 바꾸지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Thrown without rotation, the ball slides until friction makes it roll; its path is straight.</source>
+        <translation>회전 없이 던진 공은 마찰로 구르게 될 때까지 미끄러지며, 경로는 직선입니다.</translation>
+    </message>
+    <message>
+        <source>The ball slides and curves aside until it rolls; then it goes straight on.</source>
+        <translation>공은 미끄러지는 동안 옆으로 휘다가, 구르기 시작하면 똑바로 나아갑니다.</translation>
+    </message>
+    <message>
+        <source>The ball slides and curves aside until it rolls: little on the oil, more beyond it; then it goes straight on.</source>
+        <translation>공은 미끄러지는 동안 옆으로 휩니다. 오일 위에서는 조금, 오일이 끝나면 더 많이 휘며, 구르기 시작하면 똑바로 나아갑니다.</translation>
+    </message>
+    <message>
+        <source>Rotation about the axis of a forward roll changes how soon the ball rolls; its path stays straight.</source>
+        <translation>앞으로 구르는 방향의 회전은 공이 얼마나 빨리 구르기 시작하는지만 바꾸며, 경로는 직선입니다.</translation>
     </message>
 </context>
 <context>

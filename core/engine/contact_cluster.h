@@ -59,6 +59,9 @@ public:
             const Index a = m_bodies[k];
             if (!m_around.inPlay(a))
                 continue;
+            if constexpr (Models::friction) // they share a push, whether or not they touch still
+                for (const Index b : m_around.partnersOf(a))
+                    join(b);
             m_search.forEachNear(a, now, [&](Index b) {
                 if (!m_around.inPlay(b) || (m_place[b] != absent && m_place[b] < k))
                     return; // those before k have met all theirs

@@ -53,6 +53,15 @@ public:
         return slides || !b.rolls() ? Real(1) : Real(1 + 1 / b.inverseInertia);
     }
 
+    // A ball that slips by less than `still` rolls.
+    void calm(std::size_t i, const Vec2<Real>& v, const Real& still) {
+        OneBody& b = m_bodies[i];
+        if (!b.body.rolls() || !(norm(b.body.slip(v, b.state.spin)) < still))
+            return;
+        b.state.spin.x = -v.y / b.body.arm;
+        b.state.spin.y = v.x / b.body.arm;
+    }
+
     // Body i, at `now` where `discs` says, goes on under friction and `push`, at most for `atMost`.
     void begin(Discs& discs, std::size_t i, const Real& now, bool inPlay, const Vec2<Real>& push,
                const Real& atMost) {

@@ -113,7 +113,10 @@ private:
             m_settlement.reflect(absolute(m_now), [&](const auto& touch, const auto& v) {
                 return pressing.slowestRebound(m_settlement.touches(), touch, v);
             });
-            m_settlement.stopBelow(pressing.restingSpeed(m_settlement.touches(), m_settlement.velocities()));
+            const Real still = pressing.restingSpeed(m_settlement.touches(), m_settlement.velocities());
+            m_settlement.stopBelow(still);
+            for (Index k = 0; k < bodies.size(); ++k)
+                m_floor.calm(bodies[k], m_settlement.velocities()[k], still);
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
             for (Index k = 0; k < bodies.size(); ++k)

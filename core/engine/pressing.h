@@ -32,9 +32,9 @@ public:
         return closing > Real(0) ? Real(closing * m_contactTime / 2) : Real(0);
     }
 
-    // What friction would stop within a billionth of the contact time is at rest [m/s].
+    // What friction would stop within a thousandth of the contact time is at rest [m/s].
     Real restingSpeed(const Touches& touches, const Velocities& v) const {
-        return strongest(touches, v) * m_contactTime * Real(1e-9f);
+        return strongest(touches, v) * m_contactTime * Real(1e-3f);
     }
 
     // The forces of a cluster whose bodies have velocities v. pushes(): each body's acceleration by them;
@@ -128,14 +128,28 @@ private:
         std::vector<bool> held(bodies.size());
         for (Index b = 0; b < bodies.size(); ++b)
             held[b] = m_floor.wouldRest(bodies[b], v[b]);
+        m_settled.assign(bodies.size(), false);
         GroupSolution<Real> solution;
         for (int round = 0; round < 4;) {
             solution = solveForces<Real>(demands(touches, v), inverseMasses(bodies, v, held));
             for (Index b = 0; b < bodies.size(); ++b)
                 m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
-            round = loosen(bodies, touches, solution.impulse, held) ? 0 : round + 1;
+            const bool changed = loosen(bodies, touches, solution.impulse, held) || stick(held);
+            round = changed ? 0 : round + 1;
         }
         keepThoseThatPush(solution.impulse);
+    }
+
+    // One that gave way, yet is not moved the way it was pushed, held still after all: true if there is one.
+    bool stick(std::vector<bool>& held) {
+        for (Index b = 0; b < held.size(); ++b) {
+            if (held[b] || m_loose[b] == Vec2<Real>{} || dot(m_pushes[b], m_loose[b]) < Real(0))
+                continue;
+            held[b] = m_settled[b] = true;
+            m_loose[b] = {};
+            return true;
+        }
+        return false;
     }
 
     // By how much each gap would open: the acceleration now; what closes a gap that has drifted by the end of
@@ -176,7 +190,7 @@ private:
     bool loosen(const std::vector<Index>& bodies, const Touches& touches, const std::vector<Real>& forces,
                 std::vector<bool>& held) {
         for (Index b = 0; b < bodies.size(); ++b) {
-            if (!held[b])
+            if (!held[b] || m_settled[b])
                 continue;
             Vec2<Real> push;
             for (Index k = 0; k < m_pressed.size(); ++k) {
@@ -208,7 +222,8 @@ private:
     const Discs& m_discs;
     Real m_contactTime;
     Velocities m_pushes;
-    Velocities m_loose; // friction on those that gave way
+    Velocities m_loose;          // friction on those that gave way
+    std::vector<bool> m_settled; // those that did not, after all
     std::vector<Index> m_pressed;
     Real m_holdsFor{};
 };

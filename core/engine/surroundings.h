@@ -56,6 +56,8 @@ public:
 
     bool holdsWall(std::size_t i, Side side) const { return hasFriction && m_held.holdsWall(i, side); }
 
+    std::vector<std::size_t> partnersOf(std::size_t i) const { return m_held.partnersOf(i); }
+
     Real restitutionOf(EventKind kind) const {
         return kind == EventKind::Kickback ? m_lane.kickbackRestitution : m_walls.restitution;
     }

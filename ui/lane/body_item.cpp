@@ -4,9 +4,11 @@
 #include "ui/lane/scale.h"
 
 #include <QFontMetricsF>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace thetalane {
 namespace {
@@ -51,6 +53,13 @@ void BodyItem::setLost(bool lost) {
     update();
 }
 
+void BodyItem::setTurn(const std::optional<Turn>& turn) {
+    if (turn == m_turn)
+        return;
+    m_turn = turn;
+    update();
+}
+
 // Names and halos are sized in pixels: the margin lets them show at any sensible zoom.
 QRectF BodyItem::boundingRect() const {
     const double r = 4 * m_radius;
@@ -68,8 +77,8 @@ QColor BodyItem::fill() const {
     }
     if (m_kind == BodyKind::Pin)
         return m_appearance.pin();
-    return m_ink == Ink::Plain ? mixed(m_appearance.quietText(), m_appearance.card(), 0.8)
-                               : m_appearance.ink(m_ink);
+    return ownInk() == Ink::Plain ? mixed(m_appearance.quietText(), m_appearance.card(), 0.8)
+                                  : m_appearance.ink(m_ink);
 }
 
 QColor BodyItem::edge() const {
@@ -79,7 +88,7 @@ QColor BodyItem::edge() const {
         return m_appearance.textInk(Ink::Second);
     if (m_kind == BodyKind::Pin)
         return mixed(m_appearance.quietText(), m_appearance.card(), 0.75);
-    return m_ink == Ink::Plain ? m_appearance.quietText() : m_appearance.textInk(m_ink);
+    return ownInk() == Ink::Plain ? m_appearance.quietText() : m_appearance.textInk(m_ink);
 }
 
 void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -90,6 +99,8 @@ void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     const Pixels pixels(*painter);
     if (m_role == Role::Receding)
         painter->setOpacity(0.32);
+    else if (m_role == Role::Beside)
+        painter->setOpacity(0.6);
     else if (m_lost)
         painter->setOpacity(0.42);
     if (m_hovered) {
@@ -115,16 +126,66 @@ void BodyItem::paintBall(QPainter& painter, const QPointF& at, double radius) co
         painter.setPen(QPen(fill(), rim));
         painter.setBrush(mixed(fill(), m_appearance.card(), 0.16));
         painter.drawEllipse(at, radius - rim / 2, radius - rim / 2);
+        paintTurn(painter, at, radius - rim);
         return;
     }
     painter.setBrush(fill());
     painter.drawEllipse(at, radius, radius);
     if (thin)
         return;
+    if (m_turn)
+        return paintTurn(painter, at, radius - 0.5);
     // Two flat discs: a gradient would cost ten times as much in every frame, and be louder.
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(QColor(Qt::white), 0.1));
     painter.drawEllipse(at - QPointF(radius, radius) * 0.16, radius * 0.68, radius * 0.68);
+}
+
+// From above: the half around the holes is lighter, and three holes lie around its pole. The edge of the half
+// is a great circle; of it, and of the holes, what faces up is seen.
+void BodyItem::paintTurn(QPainter& painter, const QPointF& at, double radius) const {
+    if (!m_turn)
+        return;
+    const auto seen = [&](const Direction& d) { return at + QPointF(d.x, -d.y) * radius; };
+    const Direction pole = turned(*m_turn, {0, 0, 1});
+    const double flat = std::hypot(pole.x, pole.y);
+    QPainterPath half;
+    const QRectF disc(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    if (flat < 1e-6) {
+        if (pole.z > 0)
+            half.addEllipse(disc);
+    } else {
+        // The rim on the pole's side, and back along the visible half of the great circle.
+        const Vec2d to{pole.x / flat, pole.y / flat};
+        const double start = std::atan2(to.y, to.x) * 180 / std::numbers::pi - 90;
+        half.arcMoveTo(disc, start);
+        half.arcTo(disc, start, 180);
+        constexpr int pieces = 24;
+        for (int k = 1; k < pieces; ++k) {
+            const double u = std::numbers::pi * k / pieces;
+            const Vec2d across{-to.y, to.x};
+            half.lineTo(seen({across.x * std::cos(u) - to.x * pole.z * std::sin(u),
+                              across.y * std::cos(u) - to.y * pole.z * std::sin(u), 0}));
+        }
+        half.closeSubpath();
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(chosen() ? faded(fill(), 0.16) : faded(QColor(Qt::white), 0.3));
+    painter.drawPath(half);
+    // Two for the fingers and one for the thumb, each foreshortened towards the rim.
+    static constexpr Direction holes[] = {{-0.2, 0.3, 0.933}, {0.2, 0.3, 0.933}, {0, -0.22, 0.975}};
+    painter.setBrush(chosen() ? faded(edge(), 0.35) : faded(QColor(Qt::black), 0.55));
+    for (const Direction& hole : holes) {
+        const Direction d = turned(*m_turn, hole);
+        if (d.z <= 0)
+            continue;
+        const double size = 0.1 * radius;
+        painter.save();
+        painter.translate(seen(d));
+        painter.rotate(-std::atan2(d.y, d.x) * 180 / std::numbers::pi);
+        painter.drawEllipse(QPointF(), size * d.z, size);
+        painter.restore();
+    }
 }
 
 // White from above, with the ring of the neck.
@@ -151,7 +212,7 @@ void BodyItem::paintName(QPainter& painter, const QPointF& at, double radius) co
     const double most = m_appearance.pixels(Appearance::Size::Title);
     const double size = std::min({most, 1.3 * room, 1.75 * room / m_nameWidth});
     painter.setPen(m_kind == BodyKind::Pin ? m_appearance.text() : QColor(Qt::white));
-    if (size >= least) {
+    if (size >= least && !m_turn) { // a name over the finger holes would hide how it turns
         const double pixels = std::floor(size);
         font.setPixelSize(int(pixels));
         painter.setFont(font);

@@ -3,8 +3,11 @@
 
 #include "core/scene/scene.h"
 #include "ui/appearance.h"
+#include "ui/lane/turning.h"
 
 #include <QGraphicsItem>
+
+#include <optional>
 
 namespace thetalane {
 
@@ -14,6 +17,7 @@ public:
         Usual,
         First,    // of the selected collision
         Second,   // of the selected collision
+        Beside,   // resolved together with the selected collision
         Receding, // another collision is selected
     };
 
@@ -23,6 +27,9 @@ public:
     void setRole(Role role);
     void setHovered(bool hovered);
     void setLost(bool lost); // in a gutter or the pit: dimmed
+    // A ball that has been given one shows it: two halves, and finger holes.
+    void setTurn(const std::optional<Turn>& turn);
+    const std::optional<Turn>& turn() const { return m_turn; }
     Role role() const { return m_role; }
     bool hovered() const { return m_hovered; }
 
@@ -31,9 +38,11 @@ public:
 
 private:
     bool chosen() const { return m_role == Role::First || m_role == Role::Second; }
+    Ink ownInk() const { return m_role == Role::Beside ? Ink::Plain : m_ink; }
     QColor fill() const;
     QColor edge() const;
     void paintBall(QPainter& painter, const QPointF& at, double radius) const;
+    void paintTurn(QPainter& painter, const QPointF& at, double radius) const;
     void paintPin(QPainter& painter, const QPointF& at, double radius) const;
     void paintName(QPainter& painter, const QPointF& at, double radius) const;
 
@@ -47,6 +56,7 @@ private:
     Role m_role = Role::Usual;
     bool m_hovered = false;
     bool m_lost = false;
+    std::optional<Turn> m_turn;
 };
 
 } // namespace thetalane

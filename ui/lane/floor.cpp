@@ -2,7 +2,10 @@
 
 #include "ui/lane/arrow.h"
 #include "ui/lane/scale.h"
+#include "ui/words/number_text.h"
 
+#include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainterPath>
 
@@ -131,8 +134,81 @@ void paintMarks(QPainter& painter, const Pixels& px, const Lane& lane, const App
     painter.drawLine(foul[0], foul[1]);
 }
 
-void paintLane(QPainter& painter, const Pixels& px, const Lane& lane, const Appearance& look,
-               const QRectF& all) {
+// A film of oil: cooler than the wood, with a sheen that runs along the lane, and its edges drawn thin.
+void paintOil(QPainter& painter, const Pixels& px, const Scene& scene, const Appearance& look,
+              const QRectF& all) {
+    const QColor tint = mixed(look.ink(Ink::First), look.quietText(), 0.55);
+    const double strength = look.projector() ? 0.2 : 0.13;
+    constexpr double far = 1e5;
+    for (const OilZone& zone : scene.friction->oil) {
+        const double left = scene.lane ? scene.lane->left : -far;
+        const double right = scene.lane ? scene.lane->right : far;
+        const QRectF film = px.rect({left, zone.from}, {right, zone.to}) & all;
+        if (film.isEmpty())
+            continue;
+        painter.fillRect(film, faded(tint, strength));
+        if (scene.lane) {
+            const QRectF whole = px.rect({left, zone.from}, {right, zone.to});
+            QLinearGradient sheen(whole.topLeft(), whole.topRight());
+            for (const auto& [at, share] : {std::pair{0.0, 0.0},
+                                            {0.3, 0.0},
+                                            {0.42, 0.5},
+                                            {0.5, 0.1},
+                                            {0.58, 0.32},
+                                            {0.7, 0.0},
+                                            {1.0, 0.0}})
+                sheen.setColorAt(at, faded(QColor(Qt::white), share));
+            painter.fillRect(film, sheen);
+        }
+        painter.setPen(QPen(faded(tint, 0.75), look.projector() ? 2 : 1, Qt::DashLine));
+        for (const double y : {zone.from, zone.to}) {
+            const double at = px.at({0, y}).y();
+            if (at > all.top() && at < all.bottom())
+                painter.drawLine(QPointF(film.left(), at), QPointF(film.right(), at));
+        }
+    }
+}
+
+// What the film is, at its far end, where it has room for that.
+void paintOilWords(QPainter& painter, const Pixels& px, const Scene& scene, const Appearance& look) {
+    painter.setFont(look.font(Appearance::Size::Small));
+    painter.setPen(mixed(look.ink(Ink::First), look.text(), 0.35));
+    const QFontMetricsF metrics(painter.font());
+    const double inset = 0.75 * look.unit();
+    const double left = scene.lane ? scene.lane->left : scene.frame ? scene.frame->left.value_or(0) : 0;
+    for (const OilZone& zone : scene.friction->oil) {
+        const QString words =
+            QCoreApplication::translate("thetalane::Floor", "oil, μ = %1").arg(numberText(zone.friction));
+        const double wide = metrics.horizontalAdvance(words) + 2 * inset;
+        if (scene.lane && px.length(scene.lane->right - scene.lane->left) < wide)
+            continue;
+        if (px.length(zone.to - zone.from) > metrics.height() + inset)
+            painter.drawText(px.at({left, zone.to}) + QPointF(inset, metrics.ascent() + inset / 2), words);
+    }
+}
+
+// Plates that stand over the outer edges of the gutters.
+void paintKickbacks(QPainter& painter, const Pixels& px, const Lane& lane, const Appearance& look) {
+    constexpr double thickness = 0.05; // [m] as drawn
+    const double outer = lane.gutterWidth;
+    const double thick = std::max(px.length(thickness), 2 * look.lineWidth());
+    const QColor plate = mixed(look.text(), look.quietText(), 0.4);
+    const double top = px.at({0, lane.end}).y();
+    const double bottom = px.at({0, lane.kickbacks->from}).y();
+    const double left = px.at({lane.left - outer, 0}).x();
+    const double right = px.at({lane.right + outer, 0}).x();
+    for (const QRectF& band :
+         {QRectF(left - thick, top, thick, bottom - top), QRectF(right, top, thick, bottom - top)}) {
+        painter.fillRect(band, mixed(plate, look.window(), 0.35));
+        paintHatch(painter, band, mixed(plate, look.window(), 0.8), 0.75 * look.unit());
+    }
+    painter.setPen(QPen(plate, look.lineWidth(), Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(left, top), QPointF(left, bottom));
+    painter.drawLine(QPointF(right, top), QPointF(right, bottom));
+}
+
+void paintLane(QPainter& painter, const Pixels& px, const Scene& scene, const Lane& lane,
+               const Appearance& look, const QRectF& all) {
     painter.fillRect(all, look.window());
     const double start = lane.foulLine - approach;
     const double outer = lane.gutterWidth;
@@ -150,6 +226,8 @@ void paintLane(QPainter& painter, const Pixels& px, const Lane& lane, const Appe
     painter.fillRect(px.rect({lane.left, -deckBefore}, {lane.right, lane.end}),
                      mixed(look.woodLine(), look.wood(), 0.35));
     paintBoards(painter, px, lane, look, all);
+    if (scene.friction)
+        paintOil(painter, px, scene, look, all);
     painter.fillRect(px.rect({lane.left - outer, lane.end}, {lane.right + outer, lane.end + lane.pitDepth}),
                      mixed(look.quietText(), look.gutter(), 0.55));
     paintMarks(painter, px, lane, look);
@@ -157,6 +235,8 @@ void paintLane(QPainter& painter, const Pixels& px, const Lane& lane, const Appe
     painter.setPen(QPen(mixed(look.quietText(), look.gutter(), 0.5), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(sides);
+    if (lane.kickbacks)
+        paintKickbacks(painter, px, lane, look);
 }
 
 } // namespace
@@ -174,14 +254,18 @@ void paintFloor(QPainter& painter, const Scene& scene, const Appearance& look, c
     painter.setRenderHint(QPainter::Antialiasing);
     const Pixels px(painter);
     if (scene.lane) {
-        paintLane(painter, px, *scene.lane, look, all);
+        paintLane(painter, px, scene, *scene.lane, look, all);
     } else {
         painter.fillRect(all, look.floor());
         paintGrid(painter, px, look, all);
+        if (scene.friction)
+            paintOil(painter, px, scene, look, all);
         if (scene.frame)
             paintFrame(painter, px, *scene.frame, look, all);
     }
     paintPinSpots(painter, px, scene, look);
+    if (scene.friction)
+        paintOilWords(painter, px, scene, look);
 }
 
 void paintScaleBar(QPainter& painter, double pixelsPerMetre, const QPointF& corner, const Appearance& look) {

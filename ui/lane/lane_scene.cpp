@@ -3,10 +3,13 @@
 #include "ui/lane/body_item.h"
 #include "ui/lane/extent.h"
 #include "ui/lane/floor.h"
+#include "ui/lane/lasting_item.h"
 #include "ui/lane/paths_item.h"
 #include "ui/lane/scale.h"
 #include "ui/lane/velocity_item.h"
+#include "ui/words/instant.h"
 #include "ui/words/number_text.h"
+#include "ui/words/scene_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,10 +51,12 @@ LaneScene::LaneScene(const Context& context, QObject* parent)
     : QGraphicsScene(parent)
     , m_context(context)
     , m_paths(new PathsItem(context.appearance))
-    , m_velocities(new VelocityItem(context.appearance, m_states)) {
+    , m_velocities(new VelocityItem(context.appearance, m_states))
+    , m_lasting(new LastingItem(context.appearance)) {
     setItemIndexMethod(NoIndex); // everything moves in every frame
     addItem(m_paths);
     addItem(m_velocities);
+    addItem(m_lasting);
     connect(&context.session, &Session::runChanged, this, &LaneScene::rebuild);
     connect(&context.playhead, &Playhead::timeChanged, this, &LaneScene::showTime);
     connect(&context.playhead, &Playhead::selectionChanged, this, &LaneScene::showSelection);
@@ -82,10 +87,21 @@ void LaneScene::rebuild() {
     const QRectF world = whole.adjusted(-margin, -margin, margin, margin);
     setSceneRect(world);
     m_paths->build(*m_run, until, inks);
+    buildTurnings();
+    m_lasting->setUp(*m_run, world);
     m_velocities->setUp(scene.bodies, inks, m_metresPerSpeed, 1e-3 * speed, world);
     showTime(m_context.playhead.time());
     showSelection();
     emit rebuilt();
+}
+
+void LaneScene::buildTurnings() {
+    constexpr std::size_t most = 60; // more, and each is too small to see how it turns
+    const Scene& scene = m_run->scene;
+    m_turnings.assign(scene.bodies.size() <= most ? scene.bodies.size() : 0, {});
+    for (std::size_t i = 0; i < m_turnings.size(); ++i)
+        if (scene.friction && scene.bodies[i].kind == BodyKind::Ball)
+            m_turnings[i] = Turning(m_run->timeline.segments(i), m_run->timeline.rotations(i));
 }
 
 void LaneScene::showTime(double time) {
@@ -95,7 +111,10 @@ void LaneScene::showTime(double time) {
     for (std::size_t i = 0; i < m_states.size(); ++i) {
         m_bodies[i]->setPos(toUnits(m_states[i].position));
         m_bodies[i]->setLost(m_states[i].place != Place::Play);
+        if (i < m_turnings.size() && m_turnings[i].isKnown())
+            m_bodies[i]->setTurn(m_turnings[i].at(time));
     }
+    m_lasting->setTime(time, m_states);
     m_paths->setTime(time, m_states);
     m_velocities->update();
 }
@@ -104,11 +123,17 @@ void LaneScene::showSelection() {
     if (m_run != m_context.session.run())
         return;
     const Collision* collision = selected();
+    std::vector<bool> beside(m_bodies.size(), false);
+    if (collision)
+        for (const PassBody& b :
+             bodiesOf(passOf(m_run->timeline.collisions(), *m_context.playhead.selected())))
+            beside[std::size_t(b.body)] = true;
     for (int i = 0; i < int(m_bodies.size()); ++i) {
         using Role = BodyItem::Role;
         const Role role = !collision               ? Role::Usual
                           : i == collision->first  ? Role::First
                           : i == collision->second ? Role::Second
+                          : beside[std::size_t(i)] ? Role::Beside
                                                    : Role::Receding;
         m_bodies[std::size_t(i)]->setRole(role);
     }
@@ -156,9 +181,18 @@ void LaneScene::setHovered(std::optional<int> body) {
 
 QString LaneScene::bodyTip(int body) const {
     const Body& b = m_run->scene.bodies[std::size_t(body)];
-    const Vec2d v = m_states[std::size_t(body)].velocity;
-    const double speed = norm(v);
     QStringList lines{QString::fromStdString(b.id), tr("Mass %1 kg").arg(numberText(b.mass))};
+    lines << motionOf(body);
+    if (nextCollisionOf(body))
+        lines << tr("Click: open its next collision");
+    return lines.join('\n');
+}
+
+QStringList LaneScene::motionOf(int body) const {
+    const BodyState& state = m_states[std::size_t(body)];
+    const Vec2d v = state.velocity;
+    const double speed = norm(v);
+    QStringList lines;
     if (speed > 0) {
         lines << tr("Speed %1 m/s").arg(numberText(speed));
         lines << tr("Direction %1° from the x axis")
@@ -166,9 +200,21 @@ QString LaneScene::bodyTip(int body) const {
     } else {
         lines << tr("At rest");
     }
-    if (nextCollisionOf(body))
-        lines << tr("Click: open its next collision");
-    return lines.join('\n');
+    if (m_run->scene.friction && state.place == Place::Play && state.phase != FloorPhase::Rest)
+        lines << (state.phase == FloorPhase::Rolling ? tr("It rolls") : tr("It slides"));
+    const Spin<double>& w = state.spin;
+    const double spin = std::sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
+    if (spin > 0)
+        lines << tr("Turns at %1 rad/s, %2 rpm")
+                     .arg(numberText(spin), numberText(spin * 30 / std::numbers::pi));
+    for (const LastingContact& c : lastingAt(m_run->timeline.lastingContacts(), m_context.playhead.time())) {
+        if (c.first == body)
+            lines << tr("Stays pressed against %1")
+                         .arg(c.second < 0 ? sideName(c.side) : bodyName(m_run->scene, c.second));
+        else if (c.second == body)
+            lines << tr("Stays pressed against %1").arg(bodyName(m_run->scene, c.first));
+    }
+    return lines;
 }
 
 std::optional<std::size_t> LaneScene::nextCollisionOf(int body) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/context.h"
+#include "ui/lane/turning.h"
 
 #include <QGraphicsScene>
 
@@ -11,6 +12,7 @@
 namespace thetalane {
 
 class BodyItem;
+class LastingItem;
 class PathsItem;
 class VelocityItem;
 
@@ -22,6 +24,7 @@ public:
     const Run& run() const { return *m_run; }
     const std::vector<BodyState>& states() const { return m_states; }
     const std::vector<BodyItem*>& bodies() const { return m_bodies; }
+    const LastingItem& lasting() const { return *m_lasting; }
     double metresPerSpeed() const { return m_metresPerSpeed; } // the arrows' scale [m/(m/s)]
 
     QRectF fitRect() const;   // what to show at first [units]
@@ -46,6 +49,8 @@ private:
     void rebuild();
     void showTime(double time);
     void showSelection();
+    void buildTurnings();
+    QStringList motionOf(int body) const;
 
     Context m_context;
     std::shared_ptr<const Run> m_run;
@@ -53,6 +58,8 @@ private:
     std::vector<BodyItem*> m_bodies;
     PathsItem* m_paths;
     VelocityItem* m_velocities;
+    LastingItem* m_lasting;
+    std::vector<Turning> m_turnings; // of the balls, in a scene with friction
     std::optional<int> m_hovered;
     double m_metresPerSpeed = 0;
 };

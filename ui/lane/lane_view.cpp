@@ -228,7 +228,8 @@ void LaneView::retranslate() {
     setAccessibleName(tr("Lane"));
     setAccessibleDescription(
         tr("Drag to move, turn the wheel to zoom, click a body to open its next collision"));
-    m_overlay.reset(); // its words are of the other language
+    resetCachedContent(); // the floor's words, and the overlay's, are of the other language
+    m_overlay.reset();
     showStage();
 }
 

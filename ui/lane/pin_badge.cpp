@@ -45,6 +45,7 @@ void PinBadge::adoptRun() {
     m_change = -1;
     setVisible(m_pins > 0);
     showTime(m_context.playhead.time());
+    emit resized(); // room for as many digits as there are pins
 }
 
 void PinBadge::showTime(double time) {

@@ -88,7 +88,7 @@ void BodiesPanel::showScene() {
         return; // the fields say already what they were told
     makeGroups(std::min(scene.bodies.size(), mostShown));
     for (std::size_t i = 0; i < m_groups.size(); ++i)
-        m_groups[i]->show(scene.bodies[i]);
+        m_groups[i]->show(scene.bodies[i], scene.friction && scene.bodies[i].kind == BodyKind::Ball);
     m_restitution->setValue(scene.restitution);
     m_errors.clear();
     showColours();

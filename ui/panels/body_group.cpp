@@ -42,9 +42,10 @@ BodyGroup::BodyGroup(const Appearance& appearance, int index, QWidget* parent)
     , m_index(index)
     , m_grid(new QGridLayout(this))
     , m_id(new QLabel(this)) {
-    static constexpr const char* names[] = {"Mass", "Radius", "Speed", "Direction", "X", "Y"};
-    static constexpr const char* units[] = {"kg", "m", "m/s", "°", "m", "m"};
-    static constexpr double steps[] = {0.1, 0.01, 0.1, 1, 0.01, 0.01};
+    static constexpr const char* names[] = {"Mass", "Radius", "Speed", "Direction", "X",
+                                            "Y",    "SpinX",  "SpinY", "SpinZ",     "Inertia"};
+    static constexpr const char* units[] = {"kg", "m", "m/s", "°", "m", "m", "rad/s", "rad/s", "rad/s", ""};
+    static constexpr double steps[] = {0.1, 0.01, 0.1, 1, 0.01, 0.01, 1, 1, 1, 0.01};
     const QString name = QStringLiteral("body%1").arg(index);
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->addWidget(m_id, 0, 0, 1, 2);
@@ -52,7 +53,7 @@ BodyGroup::BodyGroup(const Appearance& appearance, int index, QWidget* parent)
         const auto at = std::size_t(f);
         m_fields[at] = new NumberField(appearance, name + names[f], this);
         m_fields[at]->setUnit(QString::fromUtf8(units[f]));
-        if (f == Mass || f == Radius)
+        if (f == Mass || f == Radius || f == Inertia)
             m_fields[at]->setStep(steps[f], steps[f]);
         else if (f == Speed)
             m_fields[at]->setStep(steps[f], 0);
@@ -94,21 +95,41 @@ void BodyGroup::restyle() {
 }
 
 void BodyGroup::retranslate() {
-    const QString names[] = {tr("Mass"),      tr("Radius"),     tr("Speed"),
-                             tr("Direction"), tr("Position x"), tr("Position y")};
+    const QString names[] = {
+        tr("Mass"),       tr("Radius"), tr("Speed"),  tr("Direction"), tr("Position x"),
+        tr("Position y"), tr("Spin x"), tr("Spin y"), tr("Spin z"),    tr("Moment of inertia β")};
     const QString hints[] = {
-        tr("Mass of this body, greater than 0"), tr("Radius of this body, greater than 0"),
-        tr("Speed of this body, 0 or more"),     tr("Direction of motion, counter-clockwise from x"),
-        tr("Where the centre is, to the right"), tr("Where the centre is, upwards")};
+        tr("Mass of this body, greater than 0"),
+        tr("Radius of this body, greater than 0"),
+        tr("Speed of this body, 0 or more"),
+        tr("Direction of motion, counter-clockwise from x"),
+        tr("Where the centre is, to the right"),
+        tr("Where the centre is, upwards"),
+        tr("Angular velocity about x; negative rolls up the screen"),
+        tr("Angular velocity about y; positive rolls to the right"),
+        tr("Angular velocity about the vertical, counter-clockwise; it does not bend the path"),
+        tr("β = I/(m R²), greater than 0, at most 1; 0.4 for a uniform sphere")};
     for (std::size_t f = 0; f < fieldCount; ++f) {
+        const double value = m_fields[f]->value();
+        QString hint = hints[f] + QStringLiteral("\n") + exactText(value);
+        if (f >= SpinX && f <= SpinZ) // and as bowlers count
+            hint += QStringLiteral(" rad/s = %1 rpm").arg(numberText(value * 30 / std::numbers::pi));
         m_labels[f]->setText(names[f]);
         m_fields[f]->setWords(QStringLiteral("%1, %2").arg(QString::fromStdString(m_body.id), names[f]),
-                              hints[f] + QStringLiteral("\n") + exactText(m_fields[f]->value()));
+                              hint);
     }
 }
 
-void BodyGroup::show(const Body& body) {
+void BodyGroup::showFields(bool turns) {
+    for (int f = SpinX; f <= Inertia; ++f) {
+        m_labels[std::size_t(f)]->setVisible(turns);
+        m_fields[std::size_t(f)]->setVisible(turns);
+    }
+}
+
+void BodyGroup::show(const Body& body, bool turns) {
     m_body = body;
+    showFields(turns);
     const double speed = length(body.velocity);
     m_id->setText(QString::fromStdString(body.id));
     m_fields[Mass]->setValue(body.mass);
@@ -117,6 +138,10 @@ void BodyGroup::show(const Body& body) {
     m_fields[Direction]->setValue(speed > 0 ? std::atan2(body.velocity.y, body.velocity.x) / degree : 0);
     m_fields[X]->setValue(body.position.x);
     m_fields[Y]->setValue(body.position.y);
+    m_fields[SpinX]->setValue(body.spin.x);
+    m_fields[SpinY]->setValue(body.spin.y);
+    m_fields[SpinZ]->setValue(body.spin.z);
+    m_fields[Inertia]->setValue(body.inertia);
     showErrors({});
     retranslate();
 }
@@ -146,8 +171,20 @@ void BodyGroup::take(int field, double value) {
     case X:
         m_body.position.x = value;
         break;
-    default:
+    case Y:
         m_body.position.y = value;
+        break;
+    case SpinX:
+        m_body.spin.x = value;
+        break;
+    case SpinY:
+        m_body.spin.y = value;
+        break;
+    case SpinZ:
+        m_body.spin.z = value;
+        break;
+    default:
+        m_body.inertia = value;
     }
     retranslate(); // the tool tips tell every digit
     emit edited();
@@ -199,13 +236,18 @@ void BodyGroup::showErrors(const std::vector<SceneError>& errors) {
             addMessage(X / 2, tr("Position"), sceneErrorMessage(error));
             continue;
         }
-        const int field = key == "mass"                  ? Mass
-                          : key == "radius"              ? Radius
-                          : key.startsWith("velocity")   ? Speed
-                          : key.startsWith("position[1") ? Y
-                                                         : X;
-        complain(field, sceneErrorMessage(error));
+        complain(fieldFor(key), sceneErrorMessage(error));
     }
+}
+
+int BodyGroup::fieldFor(const QString& key) const {
+    static const std::pair<const char*, Field> fields[] = {
+        {"mass", Mass},    {"radius", Radius}, {"velocity", Speed}, {"position[1", Y},   {"position", X},
+        {"spin[1", SpinY}, {"spin[2", SpinZ},  {"spin", SpinX},     {"inertia", Inertia}};
+    for (const auto& [start, field] : fields)
+        if (key.startsWith(QLatin1String(start)))
+            return field;
+    return X;
 }
 
 void BodyGroup::paintEvent(QPaintEvent*) {

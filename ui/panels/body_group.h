@@ -23,7 +23,8 @@ public:
     BodyGroup(const Appearance& appearance, int index, QWidget* parent = nullptr);
 
     const Body& body() const { return m_body; } // as edited, whether right or wrong
-    void show(const Body& body);                // drops everything that was being edited
+    // Drops everything that was being edited. `turns`: it may roll, so its spin and inertia are shown too.
+    void show(const Body& body, bool turns);
     void setColour(const QColor& colour);
 
     // What the fields themselves hold against being used: no numbers, a negative speed.
@@ -41,9 +42,11 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum Field { Mass, Radius, Speed, Direction, X, Y, fieldCount };
+    enum Field { Mass, Radius, Speed, Direction, X, Y, SpinX, SpinY, SpinZ, Inertia, fieldCount };
 
     void restyle();
+    void showFields(bool turns);
+    int fieldFor(const QString& key) const;
     void take(int field, double value);
     void complain(int field, const QString& message);
     void addMessage(int row, const QString& about, const QString& message);

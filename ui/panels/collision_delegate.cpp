@@ -27,7 +27,8 @@ void CollisionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
         painter->drawText(inner, index.data(Qt::TextAlignmentRole).toInt(), fitted);
     }
     if (index.column() == CollisionModel::Number)
-        paintInstant(*painter, option.rect, index.data(CollisionModel::InstantRole).toInt());
+        paintInstant(*painter, option.rect, index.data(CollisionModel::InstantRole).toInt(),
+                     index.data(CollisionModel::PassRole).toInt());
     painter->restore();
 }
 
@@ -61,7 +62,7 @@ void CollisionDelegate::paintBodies(QPainter& painter, const QRect& cell, const 
     }
 }
 
-void CollisionDelegate::paintInstant(QPainter& painter, const QRect& cell, int instant) const {
+void CollisionDelegate::paintInstant(QPainter& painter, const QRect& cell, int instant, int pass) const {
     if (instant == CollisionModel::Alone)
         return;
     const double x = cell.left() + 4;
@@ -75,6 +76,16 @@ void CollisionDelegate::paintInstant(QPainter& painter, const QRect& cell, int i
         painter.drawLine(QPointF(x, from), QPointF(x + foot, from));
     if (instant == CollisionModel::Last)
         painter.drawLine(QPointF(x, to), QPointF(x + foot, to));
+
+    // The passes, one below the other with a gap between: a bar for several, a point for one.
+    const double thick = 2 * m_appearance.lineWidth();
+    const bool opens = pass == CollisionModel::First || pass == CollisionModel::Alone;
+    const bool closes = pass == CollisionModel::Last || pass == CollisionModel::Alone;
+    const double top = opens ? middle - thick / 2 : cell.top();
+    const double bottom = closes ? middle + thick / 2 : cell.bottom() + 1;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_appearance.ink(Ink::Triangle));
+    painter.drawRect(QRectF(x + foot + 1, top, thick, bottom - top));
 }
 
 } // namespace thetalane

@@ -18,7 +18,7 @@ public:
 
 private:
     void paintBodies(QPainter& painter, const QRect& cell, const QString& text) const;
-    void paintInstant(QPainter& painter, const QRect& cell, int instant) const;
+    void paintInstant(QPainter& painter, const QRect& cell, int instant, int pass) const;
 
     const Appearance& m_appearance;
 };

@@ -101,10 +101,10 @@ void CollisionList::fitColumns() {
         const QString words = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const int wide = std::max(text.horizontalAdvance(longest),
                                   heading.size(Qt::TextSingleLine, words.section(u'\n', 0, 0)).width());
-        m_table->setColumnWidth(column, wide + 10);
+        m_table->setColumnWidth(column, wide + 14);
     };
     const QString digits = QString::number(std::max(10, m_model->rowCount()));
-    fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("0")); // and the bracket
+    fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("00")); // and the bracket
     fit(CollisionModel::Time, QStringLiteral("0.0000"));
     for (const int column : {CollisionModel::Impulse, CollisionModel::EnergyLoss})
         fit(column, widestText(column));

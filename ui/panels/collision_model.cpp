@@ -32,13 +32,15 @@ int CollisionModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : columnCountOfAll;
 }
 
-int CollisionModel::instant(int row) const {
-    const int group = at(row).group;
-    if (group == 0)
+thetalane::Instant CollisionModel::instantOf(int row) const {
+    return thetalane::instantOf(m_run->timeline.collisions(), std::size_t(row));
+}
+
+CollisionModel::Instant CollisionModel::standing(int row, std::size_t begin, std::size_t size) const {
+    if (size < 2)
         return Alone;
-    const bool before = row > 0 && at(row - 1).group == group;
-    const bool after = row + 1 < rowCount() && at(row + 1).group == group;
-    return before && after ? Between : before ? Last : after ? First : Alone;
+    const std::size_t at = std::size_t(row) - begin;
+    return at == 0 ? First : at + 1 == size ? Last : Between;
 }
 
 QString CollisionModel::shown(const Collision& c, int row, int column) const {
@@ -59,7 +61,7 @@ QString CollisionModel::shown(const Collision& c, int row, int column) const {
 QString CollisionModel::hint(const Collision& c, int row, int column) const {
     switch (column) {
     case Number:
-        return instant(row) == Alone ? QString() : tr("At the same instant as the rows it is joined with");
+        return instantText(instantOf(row), std::size_t(row));
     case Time:
         return exactText(c.time) + QStringLiteral(" s");
     case Impulse:
@@ -82,8 +84,14 @@ QVariant CollisionModel::data(const QModelIndex& index, int role) const {
         return hint(c, index.row(), index.column());
     case Qt::TextAlignmentRole:
         return int(Qt::AlignVCenter | (index.column() == Bodies ? Qt::AlignLeft : Qt::AlignRight));
-    case InstantRole:
-        return instant(index.row());
+    case InstantRole: {
+        const auto i = instantOf(index.row());
+        return standing(index.row(), i.begin, i.size);
+    }
+    case PassRole: {
+        const auto i = instantOf(index.row());
+        return standing(index.row(), i.passBegin, i.passSize);
+    }
     default:
         return {};
     }
@@ -100,7 +108,9 @@ QVariant CollisionModel::headerData(int section, Qt::Orientation orientation, in
     switch (section) {
     case Number:
         return brief ? QStringLiteral("#")
-                     : tr("Number of the collision. A bracket joins those of the same instant.");
+                     : tr("Number of the collision. A bracket joins those of the same instant, a bar beside "
+                          "it those "
+                          "that were resolved together.");
     case Time:
         return brief ? tr("Time") + QStringLiteral("\ns") : tr("Time of the collision, in seconds");
     case Bodies:
@@ -120,7 +130,8 @@ QString CollisionModel::exactHeader() const {
                        tr("Second"),
                        tr("Impulse") + QStringLiteral(" [N·s]"),
                        tr("Energy lost") + QStringLiteral(" [J]"),
-                       tr("Same instant")}
+                       tr("Same instant"),
+                       tr("Pass")}
         .join(u'\t');
 }
 
@@ -132,7 +143,8 @@ QString CollisionModel::exactRow(int row) const {
                        partnerName(m_run->scene, c),
                        exactText(c.steps.impulse),
                        exactText(c.steps.energyLoss),
-                       c.group ? QString::number(c.group) : QString()}
+                       c.group ? QString::number(c.group) : QString(),
+                       c.group ? QString::number(c.pass) : QString()}
         .join(u'\t');
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/engine/engine.h"
+#include "ui/words/instant.h"
 
 #include <QAbstractTableModel>
 
@@ -15,8 +16,9 @@ class CollisionModel : public QAbstractTableModel {
 public:
     enum Column { Number, Time, Bodies, Impulse, EnergyLoss, columnCountOfAll };
 
-    // Beside what is displayed: how a row stands among those of its instant.
-    enum Role { InstantRole = Qt::UserRole };
+    // Beside what is displayed: how a row stands among those of its instant, and among those resolved
+    // together with it; in a chain each is Alone.
+    enum Role { InstantRole = Qt::UserRole, PassRole };
     enum Instant { Alone = 0, First = 1, Last = 2, Between = 3 };
 
     explicit CollisionModel(QObject* parent = nullptr);
@@ -30,7 +32,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     // One line, every digit, columns parted by tabs: number, time, first, second, impulse, energy loss,
-    // group.
+    // group, pass.
     QString exactRow(int row) const;
     QString exactHeader() const;
 
@@ -38,7 +40,8 @@ private:
     const Collision& at(int row) const;
     QString shown(const Collision& collision, int row, int column) const;
     QString hint(const Collision& collision, int row, int column) const;
-    int instant(int row) const;
+    Instant standing(int row, std::size_t begin, std::size_t size) const;
+    thetalane::Instant instantOf(int row) const;
 
     std::shared_ptr<const Run> m_run;
 };

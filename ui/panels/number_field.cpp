@@ -52,7 +52,7 @@ void NumberField::restyle() {
     m_unit->setFont(m_appearance.font(Appearance::Size::Small));
     m_unit->setStyleSheet(QStringLiteral("color: %1;").arg(m_appearance.quietText().name()));
     // The widest unit there is, so that the fields of a column end at the same place.
-    m_unit->setFixedWidth(QFontMetrics(m_unit->font()).horizontalAdvance(QStringLiteral("m/s")) + 2);
+    m_unit->setFixedWidth(QFontMetrics(m_unit->font()).horizontalAdvance(QStringLiteral("rad/s")) + 2);
     m_edit->setMinimumWidth(m_appearance.unit() * 7);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/scrub_bar.h"
 
+#include "ui/words/instant.h"
 #include "ui/words/number_text.h"
 
 #include <QKeyEvent>
@@ -91,11 +92,14 @@ QString ScrubBar::hintAt(double x) const {
     QString text = QStringLiteral("%1: %2 → %3, %4 s")
                        .arg(QString::number(*k + 1), bodyName(scene, c.first), partnerName(scene, c),
                             numberText(c.time));
-    std::size_t more = 0;
-    while (c.group && *k + more + 1 < collisions.size() && collisions[*k + more + 1].group == c.group)
-        ++more;
+    const Instant instant = instantOf(collisions, *k);
+    const int more = int(instant.begin + instant.size - *k) - 1;
     if (more)
-        text += QStringLiteral("\n") + tr("and %n more at the same instant", nullptr, int(more));
+        text +=
+            QStringLiteral("\n") +
+            (instant.passes == 1
+                 ? tr("and %n more at the same instant, resolved together", nullptr, more)
+                 : tr("and %n more at the same instant, in %1 passes", nullptr, more).arg(instant.passes));
     return text;
 }
 
@@ -132,6 +136,9 @@ void ScrubBar::paintTicks(QPainter& painter) const {
         if (columns[x] != None) {
             const double up = tickHeight(columns[x] == Shared);
             painter.drawRect(QRectF(double(x) - thick / 2 + 0.5, middle() - up, thick, 2 * up));
+            if (columns[x] == Shared) // feet, as a bracket has them
+                for (const double y : {middle() - up, middle() + up - thick})
+                    painter.drawRect(QRectF(double(x) - 2 * thick + 0.5, y, 4 * thick, thick));
         }
 }
 

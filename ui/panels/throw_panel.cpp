@@ -44,6 +44,10 @@ Throw throwOf(const Session& session) {
             t.speed = std::hypot(body.velocity.x, body.velocity.y);
             t.direction = t.speed > 0 ? std::atan2(body.velocity.x, body.velocity.y) : 0;
             t.position = body.position.x;
+            t.spin = std::hypot(body.spin.x, body.spin.y);
+            if (t.spin > 0) // from the axis of a ball that rolls the way it goes
+                t.axis = std::remainder(std::atan2(-body.spin.y, -body.spin.x) + t.direction,
+                                        2 * std::numbers::pi);
             break;
         }
     return t;
@@ -136,10 +140,11 @@ void ThrowPanel::retranslate() {
     say(Position, tr("Position"),
         tr("The ball's centre at the foul line, from the middle, positive to the right; boards are counted "
            "from the right"));
-    say(Spin, tr("Rotation"), tr("Turns a minute"));
-    say(Axis, tr("Axis of rotation"), tr("From a forward roll, positive hooks to the left"));
+    say(Spin, tr("Rotation"),
+        tr("Turns a minute at the foul line; it acts through the friction of the lane"));
+    say(Axis, tr("Axis of rotation"),
+        tr("0: a forward roll; positive: turned so that the ball hooks to the left, 90: side spin alone"));
     say(Restitution, tr("Coefficient of restitution e"), tr("Between ball and pins, and pins and pins"));
-    m_rollNote->setText(tr("Rotation takes effect when the lane has friction."));
     m_throwButton->setText(tr("Throw"));
     m_throwButton->setToolTip(tr("Throw the ball from the foul line"));
     m_throwButton->setAccessibleName(tr("Throw"));
@@ -266,6 +271,35 @@ void ThrowPanel::showNotes() {
                                : direction < 0 ? tr("to the left")
                                                : tr("straight"));
     m_rows[Position]->setNote(tr("board %1").arg(boardAt(m_rows[Position]->value())));
+    showRoll();
+}
+
+// What rotation and axis do to this throw, on this lane.
+void ThrowPanel::showRoll() {
+    const double axis = m_rows[Axis]->value();
+    const bool turns = m_rows[Spin]->value() > 0;
+    const double sideways = turns ? std::sin(radians(axis)) : 0;
+    const bool aside = std::abs(sideways) > 1e-12;
+    m_rows[Axis]->setNote(!turns         ? QString()
+                          : !aside       ? tr("forward roll")
+                          : sideways > 0 ? tr("hooks left")
+                                         : tr("hooks right"));
+    const auto& friction = session().scene().friction;
+    if (!friction)
+        m_rollNote->setText(tr("This lane has no friction, so rotation does not change the path."));
+    else if (!turns)
+        m_rollNote->setText(tr(
+            "Thrown without rotation, the ball slides until friction makes it roll; its path is straight."));
+    else if (!aside)
+        m_rollNote->setText(
+            tr("Rotation about the axis of a forward roll changes how soon the ball rolls; its "
+               "path stays straight."));
+    else
+        m_rollNote->setText(
+            friction->oil.empty()
+                ? tr("The ball slides and curves aside until it rolls; then it goes straight on.")
+                : tr("The ball slides and curves aside until it rolls: little on the oil, more beyond it; "
+                     "then it goes straight on."));
 }
 
 void ThrowPanel::throwBall() {

@@ -33,6 +33,7 @@ private:
     std::vector<SceneError> wrongRows() const; // what only a throw minds; path = the row's number
     void showErrors();
     void showNotes();
+    void showRoll();
     void throwBall();
 
     std::array<ValueRow*, rowCount> m_rows{};

@@ -77,7 +77,7 @@ void StageDrawing::rotation() {
     }
 }
 
-// x′ before (faint) beside x′ after; y′ as it was.
+// x′ before (faint) beside x′ after; y′ as it was, or both where another impulse of the pass changed it.
 void StageDrawing::exchange() {
     axes(true);
     const QPointF aside = m_across * (1.6 * m_wide + 2);
@@ -89,6 +89,11 @@ void StageDrawing::exchange() {
         m_canvas.arrow(at(p) + aside, before + aside, faint(green), m_wide);
         m_canvas.arrow(at(p) - aside, after - aside, green, m_wide);
         m_canvas.arrow(at(p), across, m_appearance.ink(Ink::Across), m_wide, ArrowHead::Open, Qt::DashLine);
+        if (std::abs(p.exchanged.y - p.rotated.y) * m_speed > 1) {
+            const QPointF was = at(p) + m_speed * turned({0, p.rotated.y}) + m_along * (1.6 * m_wide + 2);
+            m_canvas.arrow(at(p) + m_along * (1.6 * m_wide + 2), was, faint(m_appearance.ink(Ink::Across)),
+                           m_wide, ArrowHead::Open, Qt::DashLine);
+        }
         symbolAt(p, "x′", When::Before, at(p) + aside, before + aside, aside);
         symbolAt(p, "x′", When::After, at(p) - aside, after - aside, -aside);
         symbolAt(p, "y′", When::After, at(p), across);
@@ -104,13 +109,14 @@ void StageDrawing::rotationBack() {
 }
 
 // Tip to tail: the momenta before and after from one origin; both sums end at the same point. At a wall the
-// impulse stands between the two.
+// impulse stands between the two. Of contacts resolved together, all the bodies of the pass.
 void StageDrawing::momentum() {
+    const std::vector<PassBody> bodies = bodiesOf(m_pass);
     std::vector<Vec2d> before{{}};
     std::vector<Vec2d> after{{}};
-    for (const Party& p : m_parties) {
-        before.push_back(before.back() + p.mass * p.before);
-        after.push_back(after.back() + p.mass * p.after);
+    for (const PassBody& b : bodies) {
+        before.push_back(before.back() + b.mass * b.before);
+        after.push_back(after.back() + b.mass * b.after);
     }
     std::vector<QPointF> all;
     for (const auto* chain : {&before, &after})
@@ -122,23 +128,28 @@ void StageDrawing::momentum() {
     if (!(scale < 1e300))
         return;
     const QPointF origin = m_room.center() - box.center() * scale;
-    const auto p = [&](const Party& party, When when) {
-        const Formula prime = when == When::After ? symbol("′") : Formula{};
-        return script(symbol("p", party.ink), upright(indexName(m_scene, party.body), party.ink), prime);
-    };
+    constexpr std::size_t mostNamed = 6; // more letters than that find no place
     const auto chain = [&](const std::vector<Vec2d>& points, When when) {
-        for (std::size_t i = 0; i < m_parties.size(); ++i) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
             const QPointF from = origin + scale * flipped(points[i]);
             const QPointF to = origin + scale * flipped(points[i + 1]);
             const bool isAfter = when == When::After;
             const QPointF along = to - from;
             if (std::hypot(along.x(), along.y()) < 3)
                 continue;
-            m_canvas.arrow(from, to, m_appearance.ink(m_parties[i].ink), m_wide,
-                           isAfter ? ArrowHead::Filled : ArrowHead::Open,
+            const int body = bodies[i].body;
+            const Ink ink = body == m_collision.first    ? Ink::First
+                            : body == m_collision.second ? Ink::Second
+                                                         : Ink::Plain;
+            const QColor color = ink == Ink::Plain ? m_appearance.quietText() : m_appearance.ink(ink);
+            m_canvas.arrow(from, to, color, m_wide, isAfter ? ArrowHead::Filled : ArrowHead::Open,
                            isAfter ? Qt::SolidLine : Qt::DashLine);
-            m_canvas.label(p(m_parties[i], when), from + 0.5 * along,
-                           QPointF(-along.y(), along.x()) * (isAfter ? 1 : -1), Size::Normal);
+            if (bodies.size() > mostNamed && ink == Ink::Plain)
+                continue;
+            m_canvas.label(script(symbol("p", ink), upright(indexName(m_scene, body), ink),
+                                  isAfter ? symbol("′") : Formula{}),
+                           from + 0.5 * along, QPointF(-along.y(), along.x()) * (isAfter ? 1 : -1),
+                           Size::Normal);
         }
     };
     const auto plain = [&](QPointF from, QPointF to, const Formula& name, const QColor& color, double wide) {
@@ -148,7 +159,9 @@ void StageDrawing::momentum() {
         m_canvas.arrow(from, to, color, wide * m_wide);
         m_canvas.label(name, from + 0.35 * along, QPointF(-along.y(), along.x()), Size::Normal);
     };
-    if (m_collision.isWall())
+    const bool wall =
+        std::any_of(m_pass.begin(), m_pass.end(), [](const Collision& c) { return c.isWall(); });
+    if (wall)
         plain(origin + scale * flipped(before.back()), origin + scale * flipped(after.back()),
               symbol("I", Ink::Along), m_appearance.ink(Ink::Along), 1);
     else
@@ -205,9 +218,9 @@ FigureCanvas StageDrawing::draw(Stage stage) {
     return std::move(m_canvas);
 }
 
-FigureCanvas stageFigure(const Scene& scene, const Collision& collision, Stage stage,
-                         const Appearance& appearance, QSizeF size) {
-    return StageDrawing(scene, collision, appearance, size).draw(stage);
+FigureCanvas stageFigure(const Scene& scene, std::span<const Collision> collisions, std::size_t index,
+                         Stage stage, const Appearance& appearance, QSizeF size) {
+    return StageDrawing(scene, collisions[index], passOf(collisions, index), appearance, size).draw(stage);
 }
 
 } // namespace thetalane

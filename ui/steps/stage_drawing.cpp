@@ -30,10 +30,11 @@ QRectF boundsOf(const std::vector<QPointF>& points) {
     return {left, top, right - left, bottom - top};
 }
 
-StageDrawing::StageDrawing(const Scene& scene, const Collision& collision, const Appearance& appearance,
-                           QSizeF size)
+StageDrawing::StageDrawing(const Scene& scene, const Collision& collision, std::span<const Collision> pass,
+                           const Appearance& appearance, QSizeF size)
     : m_scene(scene)
     , m_collision(collision)
+    , m_pass(pass)
     , m_s(collision.steps)
     , m_appearance(appearance)
     , m_canvas(appearance, size)
@@ -134,9 +135,26 @@ void StageDrawing::wall() {
     }
 }
 
+// The bodies that were struck together with these two: where they lie, and no more.
+void StageDrawing::others() {
+    const Vec2d contact =
+        m_s.first.position - Vec2d{m_s.contact.cosTheta, m_s.contact.sinTheta} * m_s.first.radius;
+    const auto put = [&](int body, const Disc<double>& disc) {
+        if (body < 0 || m_collision.involves(body))
+            return;
+        const QPointF centre = m_origin + m_metre * flipped(disc.position - contact);
+        m_canvas.disc(centre, disc.radius * m_metre, faint(m_appearance.quietText(), 0.45f));
+    };
+    for (const Collision& c : m_pass) {
+        put(c.first, c.steps.first);
+        put(c.second, c.steps.second);
+    }
+}
+
 void StageDrawing::bodies() {
     if (m_collision.isWall())
         wall();
+    others();
     for (const Party& p : m_parties)
         m_canvas.disc(at(p), p.radius * m_metre, m_appearance.ink(p.ink));
 }

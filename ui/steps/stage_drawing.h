@@ -20,7 +20,9 @@ QRectF boundsOf(const std::vector<QPointF>& points);
 // Draws one stage. Discs and vectors have scales of their own; the vectors' is the same for all stages.
 class StageDrawing {
 public:
-    StageDrawing(const Scene& scene, const Collision& collision, const Appearance& appearance, QSizeF size);
+    // `pass`: the collision itself, and those resolved together with it.
+    StageDrawing(const Scene& scene, const Collision& collision, std::span<const Collision> pass,
+                 const Appearance& appearance, QSizeF size);
 
     FigureCanvas draw(Stage stage);
 
@@ -48,6 +50,7 @@ private:
     std::vector<Vec2d> vectorsOf(Stage stage, const Party& p) const;
     std::vector<QPointF> extent(Stage stage, double scale) const;
     void bodies();
+    void others();
     void wall();
     void axes(bool faintly);
     void scaleArrow(double pixelsPerUnit, const char* unitText);
@@ -61,6 +64,7 @@ private:
 
     const Scene& m_scene;
     const Collision& m_collision;
+    std::span<const Collision> m_pass;
     const PairCollision<double>& m_s;
     const Appearance& m_appearance;
     FigureCanvas m_canvas;

@@ -56,7 +56,7 @@ void StepFigure::paintEvent(QPaintEvent*) {
     if (!m_run || m_collision >= m_run->timeline.collisions().size())
         return;
     if (!m_canvas || m_canvas->size() != QSizeF(size()))
-        m_canvas.emplace(stageFigure(m_run->scene, m_run->timeline.collisions()[m_collision], m_stage,
+        m_canvas.emplace(stageFigure(m_run->scene, m_run->timeline.collisions(), m_collision, m_stage,
                                      m_appearance, size()));
     QPainter painter(this);
     m_canvas->paint(painter);

@@ -3,6 +3,7 @@
 
 #include "core/engine/engine.h"
 #include "ui/steps/figure_canvas.h"
+#include "ui/words/instant.h"
 #include "ui/words/worked_steps.h"
 
 #include <QWidget>
@@ -12,9 +13,10 @@
 
 namespace thetalane {
 
-// The figure of a stage on a canvas of that size. The scene gives the letters, the collision the vectors.
-FigureCanvas stageFigure(const Scene& scene, const Collision& collision, Stage stage,
-                         const Appearance& appearance, QSizeF size);
+// The figure of a stage on a canvas of that size. The scene gives the letters, the collision the vectors; the
+// others of its pass are there too, quietly.
+FigureCanvas stageFigure(const Scene& scene, std::span<const Collision> collisions, std::size_t index,
+                         Stage stage, const Appearance& appearance, QSizeF size);
 
 class StepFigure : public QWidget {
     Q_OBJECT

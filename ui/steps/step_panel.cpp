@@ -8,8 +8,6 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace thetalane {
 namespace {
 
@@ -33,12 +31,6 @@ QIcon chevron(bool forward, const QColor& color, int pixels) {
 
 QString coloured(const QColor& color, const QString& text) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(color.name(), text);
-}
-
-// How many share the group's number.
-int groupSize(std::span<const Collision> collisions, int group) {
-    return int(std::count_if(collisions.begin(), collisions.end(),
-                             [group](const Collision& c) { return c.group == group; }));
 }
 
 } // namespace
@@ -98,6 +90,8 @@ QWidget* StepPanel::makeHead() {
     auto* column = new QVBoxLayout(head);
     column->addLayout(top);
     column->addWidget(m_partners);
+    m_instant = new InstantNote({m_session, m_playhead, m_appearance});
+    column->addWidget(m_instant);
     return head;
 }
 
@@ -225,9 +219,8 @@ void StepPanel::showHead(const Collision& c) {
                    : name(c.second, Ink::Second);
     QStringList facts{QStringLiteral("%1 → %2").arg(name(c.first, Ink::First), second),
                       QStringLiteral("<i>t</i>&nbsp;=&nbsp;%1&nbsp;s").arg(numberText(c.time))};
-    if (c.group > 0)
-        facts << tr("one of %n at the same instant", nullptr, groupSize(collisions, c.group));
     m_partners->setText(facts.join(QStringLiteral(" · ")));
+    m_instant->showCollision(index);
     m_previous->setEnabled(index > 0);
     m_next->setEnabled(index + 1 < collisions.size());
 }
@@ -251,7 +244,7 @@ void StepPanel::showSelection() {
     }
     const Collision& collision = collisions[*selected];
     showHead(collision);
-    const auto steps = workedSteps(run->scene, collision);
+    const auto steps = workedSteps(run->scene, collisions, *selected);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         m_cards[i]->setStep(steps[i], run, *selected);
         m_cards[i]->setOpen(Stage(i) == m_playhead.stage(), false);
@@ -310,6 +303,9 @@ void StepPanel::keyPressEvent(QKeyEvent* event) {
     const bool plain = event->modifiers() == Qt::NoModifier || event->modifiers() == Qt::KeypadModifier;
     if (m_playhead.selected() && plain && (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)) {
         m_playhead.stepStage(event->key() == Qt::Key_Down ? 1 : -1);
+        event->accept();
+    } else if (event->key() == Qt::Key_F1 && m_instant->isVisible()) {
+        m_instant->explain(!m_instant->isExplained());
         event->accept();
     } else {
         QWidget::keyPressEvent(event);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/context.h"
+#include "ui/steps/instant_note.h"
 #include "ui/steps/step_card.h"
 
 #include <QLabel>
@@ -44,6 +45,7 @@ private:
     QStackedWidget* m_pages;
     QLabel* m_title = nullptr;
     QLabel* m_partners = nullptr;
+    InstantNote* m_instant = nullptr;
     QToolButton* m_previous = nullptr;
     QToolButton* m_next = nullptr;
     QScrollArea* m_scroll = nullptr;

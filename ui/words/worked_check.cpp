@@ -52,6 +52,19 @@ WorkedLine LineWriter::restitution() const {
     return line;
 }
 
+// What rounding left of the law, or by how much other impulses parted the two faster.
+WorkedLine LineWriter::restitutionLeft() const {
+    const auto relative = [&](When when) {
+        if (m_collision.isWall())
+            return v(first(), alongAxis, when);
+        return group(row({v(first(), alongAxis, when), operation("−"), v(second(), alongAxis, when)}));
+    };
+    return {row({relative(When::After), operation("+"), symbol("e"), relative(When::Before)}),
+            {},
+            {},
+            valued(m_s.restitutionResidual, Ink::Plain, "m/s")};
+}
+
 // The impulse on the first body.
 WorkedLine LineWriter::impulse() const {
     const Party a = first();
@@ -124,20 +137,12 @@ std::vector<WorkedLine> LineWriter::check() const {
         momentum(lines, "y", &Vec2d::y);
     }
     lines.push_back(restitution());
-    const Party a = first();
-    const auto relative = [&](When when) {
-        if (wall)
-            return v(a, alongAxis, when);
-        return group(row({v(a, alongAxis, when), operation("−"), v(second(), alongAxis, when)}));
-    };
-    lines.push_back({row({relative(When::After), operation("+"), symbol("e"), relative(When::Before)}),
-                     {},
-                     {},
-                     valued(m_s.restitutionResidual, Ink::Plain, "m/s")});
+    lines.push_back(restitutionLeft());
     lines.push_back(impulse());
     lines.push_back(energy(When::Before));
     lines.push_back(energy(When::After));
     if (!wall) {
+        const Party a = first();
         const Party b = second();
         lines.push_back(
             {symbol("μ"),

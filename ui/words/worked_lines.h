@@ -1,7 +1,10 @@
 // The lines of each step of a worked collision, from PairCollision's numbers; the words are in worked_steps.
 #pragma once
 
+#include "ui/words/instant.h"
 #include "ui/words/worked_steps.h"
+
+#include <algorithm>
 
 namespace thetalane {
 
@@ -24,12 +27,21 @@ inline Formula square(Formula base) {
     return script(std::move(base), {}, upright("2"));
 }
 
+// Whose colour: the collision's two bodies have their own, x′ and y′ have theirs, and the others none.
+Ink inkOf(const Collision& collision, int body, const QString& axis);
+
+inline bool hasWall(std::span<const Collision> pass) {
+    return std::any_of(pass.begin(), pass.end(), [](const Collision& c) { return c.isWall(); });
+}
+
 // Writes the lines of one collision; the inks and letters of its two bodies are settled once.
 class LineWriter {
 public:
-    LineWriter(const Scene& scene, const Collision& collision)
+    // `pass`: the collision itself, and those resolved together with it.
+    LineWriter(const Scene& scene, const Collision& collision, std::span<const Collision> pass)
         : m_scene(scene)
         , m_collision(collision)
+        , m_pass(pass)
         , m_s(collision.steps) {}
 
     std::vector<WorkedLine> contact() const;
@@ -38,6 +50,10 @@ public:
     std::vector<WorkedLine> exchange() const;
     std::vector<WorkedLine> rotationBack() const;
     std::vector<WorkedLine> check() const;
+    std::vector<WorkedLine> exchangeTogether() const; // of several
+    std::vector<WorkedLine> checkTogether() const;
+
+    bool isPartedFaster() const; // by the other impulses, than e asks
 
 private:
     // The two bodies, or one at a wall, with what belongs to each.
@@ -80,12 +96,21 @@ private:
     WorkedLine exchanged(const Party& p, const Party& other) const;
     void momentum(std::vector<WorkedLine>& lines, const QString& axis, double Vec2d::*part) const;
     WorkedLine restitution() const;
+    WorkedLine restitutionLeft() const;
     WorkedLine impulse() const;
     WorkedLine energy(When when) const;
     WorkedLine loss() const;
+    Formula impulseOf(const Collision& collision) const;
+    void law(std::vector<WorkedLine>& lines) const;
+    WorkedLine gathered(const Party& p, bool along) const;
+    WorkedLine passMomentum(const std::vector<PassBody>& bodies, const QString& axis, double Vec2d::*part,
+                            When when) const;
+    WorkedLine passEnergy(const std::vector<PassBody>& bodies, When when) const;
+    WorkedLine share() const;
 
     const Scene& m_scene;
     const Collision& m_collision;
+    std::span<const Collision> m_pass;
     const PairCollision<double>& m_s;
 };
 

@@ -4,9 +4,56 @@
 #include "ui/words/worked_lines.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+
+#include <cmath>
 
 namespace thetalane {
 namespace {
+
+// Those of the two that another impulse of the pass drives across y′ as well.
+QStringList drivenAcross(const Scene& scene, const Collision& c) {
+    QStringList names;
+    const auto look = [&](int body, const Vec2d& was, const Vec2d& is, const Vec2d& before) {
+        if (std::abs(is.y - was.y) > 1e-9 * (norm(before) + norm(is)))
+            names << bodyName(scene, body);
+    };
+    look(c.first, c.steps.rotated.first, c.steps.exchanged.first, c.steps.before.first);
+    if (!c.isWall())
+        look(c.second, c.steps.rotated.second, c.steps.exchanged.second, c.steps.before.second);
+    return names;
+}
+
+QString togetherSentence(Stage stage, const Scene& scene, const Collision& c, const LineWriter& writer,
+                         std::span<const Collision> pass) {
+    QStringList said;
+    if (stage == Stage::Exchange) {
+        said << QCoreApplication::translate(
+            "WorkedSteps",
+            "%n contacts are resolved together: their impulses are found all at once, so that each contact "
+            "keeps its own law of restitution along its own line of centres, and impulses that meet on a "
+            "body add up.",
+            nullptr, int(pass.size()));
+        if (writer.isPartedFaster())
+            said << QCoreApplication::translate("WorkedSteps",
+                                                "Here the other impulses part the two faster than e asks.");
+        const QStringList across = drivenAcross(scene, c);
+        if (!across.isEmpty())
+            said << QCoreApplication::translate(
+                        "WorkedSteps",
+                        "An impulse along another line strikes %1 too, so y′ changes there as well.")
+                        .arg(across.join(QStringLiteral(", ")));
+    } else {
+        said << QCoreApplication::translate(
+            "WorkedSteps", "Of contacts resolved together it is the momentum of them all that must be the "
+                           "same, every body counted once; the law of restitution holds at each contact.");
+        if (hasWall(pass))
+            said << QCoreApplication::translate(
+                "WorkedSteps", "A wall is among them: it takes up an impulse, and by just that the momentum "
+                               "changes.");
+    }
+    return said.join(QLatin1Char(' '));
+}
 
 QString stageSentence(Stage stage, const Collision& c) {
     const PairCollision<double>& s = c.steps;
@@ -75,7 +122,7 @@ QString stageSentence(Stage stage, const Collision& c) {
     return {};
 }
 
-std::vector<WorkedLine> linesOf(const LineWriter& writer, Stage stage) {
+std::vector<WorkedLine> linesOf(const LineWriter& writer, Stage stage, bool together) {
     switch (stage) {
     case Stage::Contact:
         return writer.contact();
@@ -84,29 +131,31 @@ std::vector<WorkedLine> linesOf(const LineWriter& writer, Stage stage) {
     case Stage::Rotation:
         return writer.rotation();
     case Stage::Exchange:
-        return writer.exchange();
+        return together ? writer.exchangeTogether() : writer.exchange();
     case Stage::RotationBack:
         return writer.rotationBack();
     case Stage::Check:
-        return writer.check();
+        return together ? writer.checkTogether() : writer.check();
     }
     return {};
 }
 
 // The line that says the step in short, for a card that is closed.
-std::size_t keyLine(Stage stage, const std::vector<WorkedLine>& lines) {
+std::size_t keyLine(Stage stage, const std::vector<WorkedLine>& lines, const Collision& c, bool together) {
+    if (together && stage == Stage::Exchange) // the velocities are the last lines: x′, then y′
+        return lines.size() - (c.isWall() ? 2 : 4);
     return stage == Stage::Contact || stage == Stage::Check ? lines.size() - 1 : 0;
 }
+
+} // namespace
 
 Ink inkOf(const Collision& collision, int body, const QString& axis) {
     if (axis == QStringLiteral("x′"))
         return Ink::Along;
     if (axis == QStringLiteral("y′"))
         return Ink::Across;
-    return body == collision.first ? Ink::First : Ink::Second;
+    return body == collision.first ? Ink::First : body == collision.second ? Ink::Second : Ink::Plain;
 }
-
-} // namespace
 
 QString stageTitle(Stage stage) {
     switch (stage) {
@@ -164,16 +213,28 @@ QString plainText(const WorkedLine& line, Digits digits) {
     return parts.join(QStringLiteral(" = "));
 }
 
-std::vector<WorkedStep> workedSteps(const Scene& scene, const Collision& collision) {
-    const LineWriter writer(scene, collision);
+std::vector<WorkedStep> workedSteps(const Scene& scene, std::span<const Collision> collisions,
+                                    std::size_t index) {
+    const Collision& collision = collisions[index];
+    const auto pass = passOf(collisions, index);
+    const bool together = pass.size() > 1;
+    const LineWriter writer(scene, collision, pass);
     std::vector<WorkedStep> steps;
     for (int i = 0; i < stageCount; ++i) {
         const Stage stage = Stage(i);
-        WorkedStep step{stage, stageTitle(stage), stageSentence(stage, collision), linesOf(writer, stage), 0};
-        step.key = keyLine(stage, step.lines);
+        const bool joint = together && (stage == Stage::Exchange || stage == Stage::Check);
+        WorkedStep step{stage, stageTitle(stage),
+                        joint ? togetherSentence(stage, scene, collision, writer, pass)
+                              : stageSentence(stage, collision),
+                        linesOf(writer, stage, together), 0};
+        step.key = keyLine(stage, step.lines, collision, together);
         steps.push_back(std::move(step));
     }
     return steps;
+}
+
+std::vector<WorkedStep> workedSteps(const Scene& scene, const Collision& collision) {
+    return workedSteps(scene, std::span(&collision, 1), 0);
 }
 
 } // namespace thetalane

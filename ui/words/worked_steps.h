@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <span>
 #include <vector>
 
 namespace thetalane {
@@ -48,7 +49,10 @@ enum class When { Before, After };
 Formula velocitySymbol(const Scene& scene, const Collision& collision, int body, const QString& axis,
                        When when);
 
-// Six steps, in the order of the stages. At a wall the second body has no lines.
-std::vector<WorkedStep> workedSteps(const Scene& scene, const Collision& collision);
+// Six steps, in the order of the stages. At a wall the second body has no lines. Of contacts that were
+// resolved together, the exchange and the check are those of the whole pass.
+std::vector<WorkedStep> workedSteps(const Scene& scene, std::span<const Collision> collisions,
+                                    std::size_t index);
+std::vector<WorkedStep> workedSteps(const Scene& scene, const Collision& collision); // one by itself
 
 } // namespace thetalane
