@@ -132,7 +132,7 @@ void elevenTable(bool quick) {
     addWorlds(c);
     const std::vector<Contestant> contestants = measured(c, quick);
     const double events = double(mustRun(elevenInABox(), eventSettings(c.until)).collisionCount());
-    printScene("**Eleven discs in a box**, e = 1, " + whole(c.until) + " s, " + whole(events) +
+    printScene("**Eleven discs in a box**, e = 1, " + times(c.until) + " s, " + whole(events) +
                    " collisions; set-up included.",
                c, contestants, elasticReference(elevenInABox()));
     std::printf(

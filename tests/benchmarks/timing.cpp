@@ -62,7 +62,7 @@ Contestant repeated(std::string name, std::function<void()> work, double atLeast
 
 void takeTurns(std::vector<Contestant>& contestants, int repetitions) {
     constexpr int fewest = 3;
-    constexpr double patience = 6; // with one contestant [s]
+    constexpr double patience = 3; // with one contestant [s]
     std::vector<double> spent(contestants.size(), 0);
     for (int r = 0; r < repetitions; ++r)
         for (std::size_t k = 0; k < contestants.size(); ++k) {

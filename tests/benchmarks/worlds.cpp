@@ -8,7 +8,7 @@ std::vector<WorldKind> worlds() {
     std::vector<WorldKind> all;
 #ifdef THETALANE_HAS_BOX2D
     all.push_back({box2dName(), makeBox2d});
-    all.push_back({box2dName() + ", bullets", makeBox2dBullets});
+    all.push_back({box2dName() + ", bullets", makeBox2dBullets, 1000});
 #endif
 #ifdef THETALANE_HAS_CHIPMUNK
     all.push_back({chipmunkName(), makeChipmunk});
