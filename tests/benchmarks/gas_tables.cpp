@@ -66,6 +66,9 @@ void gasTable(const Gas& gas, bool quick) {
                    seconds(c.median() / collisions), seconds(c.least() / collisions), tiny(v.energyDrift),
                    tiny(v.overlap)});
     }
+    for (const WorldKind& kind : worlds())
+        if (std::size_t(gas.count) > kind.mostBodies)
+            std::printf("\n%s is left out: a step takes seconds.\n", kind.name.c_str());
 }
 
 // What a collision costs by one search: over many, and over a short run of ten a body, start included.

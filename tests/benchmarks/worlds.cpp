@@ -7,7 +7,7 @@ namespace thetalane::benchmarks {
 std::vector<WorldKind> worlds() {
     std::vector<WorldKind> all;
 #ifdef THETALANE_HAS_BOX2D
-    all.push_back({box2dName(), makeBox2d});
+    all.push_back({box2dName(), makeBox2d, 10'000});
     all.push_back({box2dName() + ", bullets", makeBox2dBullets, 1000});
 #endif
 #ifdef THETALANE_HAS_CHIPMUNK

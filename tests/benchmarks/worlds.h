@@ -21,7 +21,7 @@ struct WorldKind {
     std::string name;
     // Bodies, walls and restitution of the scene, to be moved by steps of h.
     std::unique_ptr<World> (*make)(const Scene& scene, double h);
-    std::size_t mostBodies = std::size_t(-1); // beyond which a step takes seconds
+    std::size_t mostBodies = std::size_t(-1); // with more, a step takes seconds
 };
 
 // Those that were found when this was configured; and in words, which were not.
