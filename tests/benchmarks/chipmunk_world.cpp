@@ -31,16 +31,13 @@ public:
                 add(wall, root > 0 ? scene.frame->restitution / root : 0);
     }
 
+    // The space first: to take out one shape after another costs it a search each.
     ~ChipmunkWorld() override {
-        for (cpShape* shape : m_shapes) {
-            cpSpaceRemoveShape(m_space, shape);
-            cpShapeFree(shape);
-        }
-        for (cpBody* body : m_bodies) {
-            cpSpaceRemoveBody(m_space, body);
-            cpBodyFree(body);
-        }
         cpSpaceFree(m_space);
+        for (cpShape* shape : m_shapes)
+            cpShapeFree(shape);
+        for (cpBody* body : m_bodies)
+            cpBodyFree(body);
     }
     ChipmunkWorld(const ChipmunkWorld&) = delete;
     ChipmunkWorld& operator=(const ChipmunkWorld&) = delete;

@@ -42,7 +42,7 @@ void gasTable(const Gas& gas, bool quick) {
     std::vector<Contestant> contestants;
     for (const Entry& e : entries)
         contestants.push_back({e.name, [&scene, &e] { return e.ongoing(scene); }});
-    takeTurns(contestants, quick ? 1 : gas.count <= 1000 ? 11 : 5);
+    takeTurns(contestants, quick ? 1 : gas.count <= 1000 ? 11 : gas.count <= 10'000 ? 5 : 3);
 
     const double collisions = double(mustRun(scene, eventSettings(gas.until(), false)).collisionCount());
     EngineSettings first = eventSettings(gas.until(), false);
