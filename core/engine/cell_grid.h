@@ -20,6 +20,11 @@ public:
         Real high{};
     };
 
+    // The discs in a cell; with the bit `more` set, the list of the others begins at the second.
+    struct Cell {
+        std::uint32_t first, second;
+    };
+
     std::uint32_t none() const { return m_none; }
 
     // Over a region, for discs of which two touch within `reach`; every list empty.
@@ -37,7 +42,7 @@ public:
         m_none = std::uint32_t(discs);
         // A ring of cells that stay empty saves asking for the border.
         m_stride = m_axes[0].count + 2;
-        m_heads.assign(std::size_t(m_stride) * (m_axes[1].count + 2), m_none);
+        m_cells.assign(std::size_t(m_stride) * (m_axes[1].count + 2), {m_none, m_none});
     }
 
     struct Axis {
@@ -64,49 +69,97 @@ public:
 
         // Time until something at q with speed v leaves its cell; never through the border.
         Real leavesIn(std::uint32_t cell, const Real& q, const Real& v) const {
-            const bool up = v > 0;
-            const Real in = (low + width * Real(cell + up) - q) / v;
-            const bool stays = (v == Real(0)) | (up ? cell + 1 == count : cell == 0);
-            return stays ? std::numeric_limits<Real>::infinity() : in > 0 ? in : Real(0);
+            const std::uint32_t up = v > Real(0), edge = cell + up;
+            const Real in = (low + width * Real(edge) - q) / v;
+            const bool stays = (v == Real(0)) | (edge == count * up);
+            const Real notBefore = in > Real(0) ? in : Real(0);
+            return stays ? std::numeric_limits<Real>::infinity() : notBefore;
         }
     };
     const Axis& columns() const { return m_axes[0]; }
     const Axis& rows() const { return m_axes[1]; }
 
     void insert(PackedDiscs<Real>& discs, std::uint32_t i) {
-        auto& head = m_heads[cellOf(discs[i].column, discs[i].row)];
-        discs[i].nextInCell = head;
-        head = i;
+        Cell& cell = m_cells[cellOf(discs[i].column, discs[i].row)];
+        if (cell.second == m_none) {
+            cell.second = cell.first;
+            cell.first = i;
+            return;
+        }
+        const std::uint32_t second = cell.second & ~more;
+        if (second == cell.second)
+            discs[second].nextInCell = m_none;
+        discs[i].nextInCell = second;
+        cell.second = i | more;
     }
     void remove(PackedDiscs<Real>& discs, std::uint32_t i) {
-        std::uint32_t* link = &m_heads[cellOf(discs[i].column, discs[i].row)];
-        while (*link != i)
-            link = &discs[*link].nextInCell;
-        *link = discs[i].nextInCell;
+        Cell& cell = m_cells[cellOf(discs[i].column, discs[i].row)];
+        const std::uint32_t second = cell.second & ~more;
+        if (second == cell.second) {
+            cell.first = cell.first == i ? second : cell.first;
+            cell.second = m_none;
+            return;
+        }
+        std::uint32_t rest = second;
+        if (cell.first == i) {
+            cell.first = second;
+            rest = discs[second].nextInCell;
+        } else {
+            std::uint32_t* link = &rest;
+            while (*link != i)
+                link = &discs[*link].nextInCell;
+            *link = discs[i].nextInCell;
+        }
+        cell.second = rest | (discs[rest].nextInCell != m_none ? more : 0);
     }
 
-    // The discs but i in columns c0…c1 and rows r0…r1, each counted from one, so that one past the border is
-    // 0; written to `out`, where there is room for all and one more. Returns how many. Every other cell is
-    // empty and hardly one holds two discs of about its size: so that no branch has to guess, an empty one
-    // gives none(), which the next overwrites.
-    std::size_t gather(const PackedDiscs<Real>& discs, std::uint32_t i, std::uint32_t c0, std::uint32_t c1,
-                       std::uint32_t r0, std::uint32_t r1, std::uint32_t* out) const {
-        std::size_t count = 0;
-        for (std::uint32_t r = r0; r <= r1; ++r) {
-            const std::uint32_t* cell = &m_heads[std::size_t(r) * m_stride + c0];
-            for (const std::uint32_t* last = cell + (c1 - c0); cell <= last; ++cell) {
-                std::uint32_t j = *cell;
-                do {
-                    out[count] = j;
-                    count += (j != m_none) & (j != i);
-                    j = discs[j].nextInCell;
-                } while (j != m_none);
-            }
+    // Where the cells about one begin: it is the middle of three rows of three.
+    const Cell* around(std::uint32_t column, std::uint32_t row) const {
+        return &m_cells[std::size_t(row) * m_stride + column];
+    }
+    std::uint32_t stride() const { return m_stride; }
+
+    template <class F> void forEachIn(const PackedDiscs<Real>& discs, const Cell& cell, F&& f) const {
+        if (cell.first != m_none)
+            f(cell.first);
+        for (std::uint32_t j = cell.second & ~more; j != m_none; j = discs[j].nextInCell) {
+            f(j);
+            if (j == cell.second)
+                return;
         }
-        return count;
+    }
+
+    // The discs but i in three cells, each `step` after the last, written to `out`, where there is room for
+    // all and two more; returns the end. Every other cell is empty and hardly one holds more than two discs:
+    // so that no branch has to guess, what is not there is written as well, and overwritten by the next.
+    std::uint32_t* gatherThree(const PackedDiscs<Real>& discs, std::uint32_t i, const Cell* cell,
+                               std::size_t step, std::uint32_t* out) const {
+#pragma GCC unroll 3
+        for (int k = 0; k < 3; ++k, cell += step) {
+            *out = cell->first;
+            out += (cell->first != m_none) & (cell->first != i);
+            if (cell->second != m_none) [[unlikely]]
+                out = gatherRest(discs, i, *cell, out);
+        }
+        return out;
     }
 
 private:
+    std::uint32_t* gatherRest(const PackedDiscs<Real>& discs, std::uint32_t i, const Cell& cell,
+                              std::uint32_t* out) const {
+        std::uint32_t j = cell.second & ~more;
+        *out = j;
+        out += j != i;
+        if (j != cell.second)
+            while ((j = discs[j].nextInCell) != m_none) {
+                *out = j;
+                out += j != i;
+            }
+        return out;
+    }
+
+    static constexpr std::uint32_t more = 1u << 31;
+
     std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
         return std::size_t(row + 1) * m_stride + column + 1;
     }
@@ -114,7 +167,7 @@ private:
     std::array<Axis, 2> m_axes;
     std::uint32_t m_stride = 3;
     std::uint32_t m_none = 0;
-    std::vector<std::uint32_t> m_heads; // the first disc of each cell
+    std::vector<Cell> m_cells;
 };
 
 } // namespace thetalane

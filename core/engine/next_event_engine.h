@@ -29,7 +29,8 @@ public:
             recordAll();
         m_search.start(m_around);
         for (;;) {
-            const auto [first, next] = m_search.earliest(m_around);
+            const auto found = m_search.earliest(m_around);
+            const auto& next = found.event;
             if (next.kind == EventKind::None)
                 return finish(discs().allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions);
             if (next.time > m_until)
@@ -37,7 +38,7 @@ public:
             if (next.kind != EventKind::LaneEdge && m_recorder.collisionCount() >= m_settings.maxCollisions)
                 return finish(EndReason::MaxCollisions);
             m_now = next.time;
-            happen(first, next);
+            happen(found.body, next);
             if constexpr (Search<Real>::rebasesTime)
                 rebaseTime();
         }
