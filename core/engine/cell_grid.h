@@ -36,10 +36,11 @@ public:
         const auto along = [&width](const Range& r) {
             return std::max(1.0, std::floor(static_cast<double>(Real((r.high - r.low) / width))));
         };
-        while (along(x) * along(y) > most)
+        while (along(x) * along(y) > most || std::max(along(x), along(y)) > mostInRow)
             width = width * Real(1.2f);
         m_axes = {Axis(x, along(x)), Axis(y, along(y))};
         m_none = std::uint32_t(discs);
+        m_next.resize(discs + 1, m_none);
         // A ring of cells that stay empty saves asking for the border.
         m_stride = m_axes[0].count + 2;
         m_cells.assign(std::size_t(m_stride) * (m_axes[1].count + 2), {m_none, m_none});
@@ -79,7 +80,7 @@ public:
     const Axis& columns() const { return m_axes[0]; }
     const Axis& rows() const { return m_axes[1]; }
 
-    void insert(PackedDiscs<Real>& discs, std::uint32_t i) {
+    void insert(const PackedDiscs<Real>& discs, std::uint32_t i) {
         Cell& cell = m_cells[cellOf(discs[i].column, discs[i].row)];
         if (cell.second == m_none) {
             cell.second = cell.first;
@@ -88,11 +89,11 @@ public:
         }
         const std::uint32_t second = cell.second & ~more;
         if (second == cell.second)
-            discs[second].nextInCell = m_none;
-        discs[i].nextInCell = second;
+            m_next[second] = m_none;
+        m_next[i] = second;
         cell.second = i | more;
     }
-    void remove(PackedDiscs<Real>& discs, std::uint32_t i) {
+    void remove(const PackedDiscs<Real>& discs, std::uint32_t i) {
         Cell& cell = m_cells[cellOf(discs[i].column, discs[i].row)];
         const std::uint32_t second = cell.second & ~more;
         if (second == cell.second) {
@@ -103,14 +104,14 @@ public:
         std::uint32_t rest = second;
         if (cell.first == i) {
             cell.first = second;
-            rest = discs[second].nextInCell;
+            rest = m_next[second];
         } else {
             std::uint32_t* link = &rest;
             while (*link != i)
-                link = &discs[*link].nextInCell;
-            *link = discs[i].nextInCell;
+                link = &m_next[*link];
+            *link = m_next[i];
         }
-        cell.second = rest | (discs[rest].nextInCell != m_none ? more : 0);
+        cell.second = rest | (m_next[rest] != m_none ? more : 0);
     }
 
     // Where the cells about one begin: it is the middle of three rows of three.
@@ -119,10 +120,10 @@ public:
     }
     std::uint32_t stride() const { return m_stride; }
 
-    template <class F> void forEachIn(const PackedDiscs<Real>& discs, const Cell& cell, F&& f) const {
+    template <class F> void forEachIn(const Cell& cell, F&& f) const {
         if (cell.first != m_none)
             f(cell.first);
-        for (std::uint32_t j = cell.second & ~more; j != m_none; j = discs[j].nextInCell) {
+        for (std::uint32_t j = cell.second & ~more; j != m_none; j = m_next[j]) {
             f(j);
             if (j == cell.second)
                 return;
@@ -132,26 +133,25 @@ public:
     // The discs but i in three cells, each `step` after the last, written to `out`, where there is room for
     // all and two more; returns the end. Every other cell is empty and hardly one holds more than two discs:
     // so that no branch has to guess, what is not there is written as well, and overwritten by the next.
-    std::uint32_t* gatherThree(const PackedDiscs<Real>& discs, std::uint32_t i, const Cell* cell,
-                               std::size_t step, std::uint32_t* out) const {
+    std::uint32_t* gatherThree(std::uint32_t i, const Cell* cell, std::size_t step,
+                               std::uint32_t* out) const {
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k, cell += step) {
             *out = cell->first;
             out += (cell->first != m_none) & (cell->first != i);
             if (cell->second != m_none) [[unlikely]]
-                out = gatherRest(discs, i, *cell, out);
+                out = gatherRest(i, *cell, out);
         }
         return out;
     }
 
 private:
-    std::uint32_t* gatherRest(const PackedDiscs<Real>& discs, std::uint32_t i, const Cell& cell,
-                              std::uint32_t* out) const {
+    std::uint32_t* gatherRest(std::uint32_t i, const Cell& cell, std::uint32_t* out) const {
         std::uint32_t j = cell.second & ~more;
         *out = j;
         out += j != i;
         if (j != cell.second)
-            while ((j = discs[j].nextInCell) != m_none) {
+            while ((j = m_next[j]) != m_none) {
                 *out = j;
                 out += j != i;
             }
@@ -159,6 +159,7 @@ private:
     }
 
     static constexpr std::uint32_t more = 1u << 31;
+    static constexpr double mostInRow = 65'000; // numbered in 16 bits
 
     std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
         return std::size_t(row + 1) * m_stride + column + 1;
@@ -168,6 +169,7 @@ private:
     std::uint32_t m_stride = 3;
     std::uint32_t m_none = 0;
     std::vector<Cell> m_cells;
+    std::vector<std::uint32_t> m_next; // in the list of a crowded cell
 };
 
 } // namespace thetalane

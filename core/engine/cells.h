@@ -1,5 +1,5 @@
 // The search for many bodies: a disc is compared with those in its own and the adjacent cells, and events
-// wait in a tournament.
+// wait in a calendar.
 //
 // Each disc keeps its best collision and, apart, its next event on its own: a wall, an edge of the lane, or
 // the edge of its cell, where it looks at the cells that become adjacent. The best collision is kept though
@@ -29,11 +29,12 @@ public:
         : m_discs(scene.bodies)
         , m_frame(scene.frame.value_or(Frame{}))
         , m_slots(m_discs.count())
-        , m_queue(m_discs.count())
+        , m_queue(m_slots, m_discs.count() > manyDiscs ? 6 : 1)
         , m_near(m_discs.count() + 2 + Nearby<Real>::atOnce)
         , m_at(m_near.size()) {
         for (Index i = 0; i < m_discs.count(); ++i)
             m_reach = std::max(m_reach, Real(2 * m_discs[i].radius));
+        m_fetches = m_discs.count() > manyDiscs;
         m_open = !(m_frame.left && m_frame.right && m_frame.bottom && m_frame.top);
     }
 
@@ -54,6 +55,8 @@ public:
             const auto [time, i] = m_queue.first();
             if (!(time < std::numeric_limits<Real>::infinity()))
                 return {0, {}, false};
+            if (m_fetches)
+                fetchAhead();
             if (settle(around, i, time))
                 continue;
             const First first = firstOf(i);
@@ -88,7 +91,7 @@ public:
         const auto* row = m_grid.around(m_discs[i].column, m_discs[i].row);
         for (int k = 0; k < 3; ++k, row += m_grid.stride())
             for (int c = 0; c < 3; ++c)
-                m_grid.forEachIn(m_discs, row[c], [&](std::uint32_t j) {
+                m_grid.forEachIn(row[c], [&](std::uint32_t j) {
                     if (j != i)
                         f(Index(j));
                 });
@@ -102,7 +105,6 @@ public:
             slot.pair.time = slot.pair.time - shift;
             slot.pair.next = slot.pair.next - shift;
             slot.own.time = slot.own.time - shift;
-            m_queue.set(unsigned(i), slot.time());
         }
         m_queue.build();
     }
@@ -116,6 +118,31 @@ private:
         bool isPair() const { return pair.time < own.time; }
         Real time() const { return std::min(pair.time, own.time); }
     };
+
+    // So many discs are not in the processor's cache: what the next events need is asked for ahead, first the
+    // disc and its partner, then the cells that will be looked at, then who is in them.
+    void fetchAhead() {
+        const auto third = m_queue.ahead(4);
+        prefetch(&m_discs[third]);
+        prefetch(&m_discs[m_slots[third].pair.partner]);
+        overCells(m_queue.ahead(2), [](const auto* row) { prefetch(row); });
+        overCells(m_queue.ahead(1), [this](const auto* row) {
+            for (int c = 0; c < 3; ++c)
+                prefetch(&m_discs[row[c].first]);
+        });
+    }
+    template <class F> void overCells(unsigned i, F&& f) {
+        const auto rowsAbout = [&](unsigned j) {
+            const auto* row = m_grid.around(m_discs[j].column, m_discs[j].row);
+            for (int k = 0; k < 3; ++k, row += m_grid.stride())
+                f(row);
+        };
+        rowsAbout(i);
+        if (m_slots[i].isPair())
+            rowsAbout(m_slots[i].pair.partner);
+    }
+    static constexpr std::size_t manyDiscs = 5000;
+    static void prefetch(const void* p) { __builtin_prefetch(p); }
 
     // If what disc i comes to until `end` is void or a mere crossing, it is dealt with.
     template <class Around> bool settle(const Around& around, unsigned i, const Real& end) {
@@ -176,9 +203,10 @@ private:
 
     // All that can happen to disc i next.
     template <class Around> void look(const Around& around, unsigned i, const Real& now) {
+        const Real before = m_slots[i].time();
         m_looked = around.inPlay(i) ? gatherAll(i) : 0;
         find(around, i, now, {});
-        wait(around, i, now);
+        wait(around, i, before, now);
     }
 
     std::size_t gatherAll(unsigned i) {
@@ -186,7 +214,7 @@ private:
         std::uint32_t* end = m_near.data();
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k, row += m_grid.stride())
-            end = m_grid.gatherThree(m_discs, i, row, 1, end);
+            end = m_grid.gatherThree(i, row, 1, end);
         return std::size_t(end - m_near.data());
     }
 
@@ -233,20 +261,22 @@ private:
         m_grid.remove(m_discs, i);
         const bool alongY = m_slots[i].own.detail;
         const bool up = (alongY ? d.velocity.y : d.velocity.x) > 0;
-        (alongY ? d.row : d.column) += up ? 1u : ~0u;
+        (alongY ? d.row : d.column) += std::uint16_t(up ? 1 : -1);
         const std::size_t step = alongY ? 1 : m_grid.stride(), across = alongY ? m_grid.stride() : 1;
         const auto* cell = m_grid.around(d.column, d.row) + (up ? 2 * across : 0);
-        const std::uint32_t* end = m_grid.gatherThree(m_discs, i, cell, step, m_near.data());
+        const std::uint32_t* end = m_grid.gatherThree(i, cell, step, m_near.data());
         m_looked = std::size_t(end - m_near.data());
         m_grid.insert(m_discs, i);
+        const Real before = m_slots[i].time();
         find(around, i, now, Meeting<Real>(m_slots[i].pair));
-        wait(around, i, now);
+        wait(around, i, before, now);
     }
 
     // Laying the cells anew costs a few looks of each disc; as many are wasted outside before.
     // Never without collisions: what only flies apart comes to its last crossing.
-    template <class Around> void wait(const Around& around, unsigned i, const Real& now) {
-        m_queue.change(i, m_slots[i].time());
+    template <class Around> void wait(const Around& around, unsigned i, const Real& before, const Real& now) {
+        if (m_slots[i].time() != before)
+            m_queue.add(i);
         if (m_open && m_outside > 8 * m_discs.count() && 16 * m_events > m_discs.count())
             layOut(around, now);
     }
@@ -258,8 +288,8 @@ private:
                       region(now, &Vec2<Real>::y, m_frame.bottom, m_frame.top), m_reach, m_discs.count());
         for (Index i = 0; i < m_discs.count(); ++i) {
             const Vec2<Real> p = m_discs[i].positionAt(now);
-            m_discs[i].column = m_grid.columns().cellAt(p.x);
-            m_discs[i].row = m_grid.rows().cellAt(p.y);
+            m_discs[i].column = std::uint16_t(m_grid.columns().cellAt(p.x));
+            m_discs[i].row = std::uint16_t(m_grid.rows().cellAt(p.y));
             m_slots[i] = {};
         }
         // Each looks at those before it, which are in their cells already: every pair once.
@@ -267,7 +297,6 @@ private:
             m_looked = around.inPlay(i) ? gatherAll(i) : 0;
             find(around, i, now, {});
             m_grid.insert(m_discs, i);
-            m_queue.set(i, m_slots[i].time());
         }
         m_queue.build();
     }
@@ -294,8 +323,9 @@ private:
     Real m_reach{0};
     std::vector<Slot> m_slots;
     CellGrid<Real> m_grid;
-    EventCalendar<Real> m_queue;
+    EventCalendar<Real, Slot> m_queue;
     Real m_lastShift{0};
+    bool m_fetches = false;
     std::vector<std::uint32_t> m_near; // of the last look
     std::vector<Real> m_at;            // when each of them is met
     std::size_t m_looked = 0;          // at how many, the last time

@@ -2,19 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace thetalane {
 
-// Each of `count` keeps one time, by which it lies on a wheel of days a few events long (Brown's calendar
-// queue, 1988; Paul, J. Comput. Phys. 221, 2007). Only the events of today are sorted. What changes its time
-// is taken out of its day at once, or, if the day is today, merely crossed out: an event of today counts as
-// long as its time is still the one kept. What lies more than a turn of the wheel ahead waits apart, and is
-// looked through once in a turn. The cost does not grow with the count, and the next events are known ahead.
-template <class Real> class EventCalendar {
+// Each slot knows the time() of its next event; here its number lies on a wheel of days a few events long
+// (Brown's calendar queue, 1988; Paul, J. Comput. Phys. 221, 2007). Only the events of today are sorted. A
+// slot that changes its time is written on another day and left where it was, too: an entry counts if the
+// slot has its time still. What lies more than a turn of the wheel ahead waits apart and is looked through
+// once in a turn. The cost does not grow with the count, a change touches one line of memory, and what comes
+// next is known ahead.
+template <class Real, class Slot> class EventCalendar {
 public:
     using Id = std::uint32_t;
     struct Entry {
@@ -22,42 +23,47 @@ public:
         Id id;
     };
 
-    explicit EventCalendar(std::size_t count)
-        : m_count(Id(count)) {
-        while (m_days < count)
-            m_days *= 2;
-        m_nodes.resize(count + m_days + 1);
-        m_today.reserve(64);
+    // `known`: how many events are wanted in order at any time.
+    EventCalendar(const std::vector<Slot>& slots, std::size_t known)
+        : m_slots(slots.data())
+        , m_count(Id(slots.size()))
+        , m_known(known) {
+        std::size_t days = 16;
+        while (days * eventsADay < m_count)
+            days *= 2;
+        m_wheel.resize(days);
+        m_counts.resize(days);
+        m_today.reserve(mostSorted);
     }
 
-    // Without regard to the order, until build().
-    void set(Id i, const Real& time) { m_nodes[i].time = time; }
-    Real timeOf(Id i) const { return m_nodes[i].time; }
-
+    // From what the slots say.
     void build() {
-        Real first = never;
+        m_from = never;
         for (Id i = 0; i < m_count; ++i)
-            first = std::min(first, m_nodes[i].time);
-        m_from = first < never ? first : Real(0);
-        if (!(m_perDay > Real(0)))
-            m_perDay = guess();
+            m_from = std::min(m_from, m_slots[i].time());
+        m_from = m_from < never ? m_from : Real(0);
         m_today.clear();
+        m_later.clear();
+        m_crowd.clear();
+        std::fill(m_counts.begin(), m_counts.end(), 0);
+        if (!(m_perSecond > Real(0)))
+            m_perSecond = guess();
         m_day = 0;
         m_endOfToday = Real(0);
-        m_linked = m_sorted = m_passed = 0;
-        for (Id n = 0; n < m_nodes.size(); ++n)
-            m_nodes[n].before = m_nodes[n].after = n;
+        m_listed = m_sorted = m_passed = 0;
         for (Id i = 0; i < m_count; ++i)
-            link(i);
+            add(i);
     }
 
-    void change(Id i, const Real& time) {
-        Node& node = m_nodes[i];
-        if (node.time == time)
-            return;
-        remove(i);
-        node.time = time;
-        link(i);
+    // Slot i has another time now.
+    void add(Id i) {
+        const Real time = m_slots[i].time(), day = dayOf(time);
+        if (day < m_endOfToday)
+            insertToday({time, i});
+        else if (day < endOfTurn())
+            list(static_cast<std::int64_t>(day), i);
+        else if (time < never)
+            m_later.push_back({time, i});
     }
 
     // The earliest; of equals the first. The time is infinite if nothing is to come.
@@ -65,68 +71,53 @@ public:
         if (m_today.size() > 4 * mostSorted && m_sorted > m_count)
             rebuild(guess());
         for (;;) {
-            while (!m_today.empty()) {
-                if (counts(m_today.back()))
-                    return m_today.back();
+            while (!m_today.empty() && !counts(m_today.back()))
                 m_today.pop_back();
-            }
-            if (!openNext())
-                return {never, 0};
+            if (m_today.size() >= m_known || !anyLeft())
+                return m_today.empty() ? Entry{never, 0} : m_today.back();
+            openNext();
         }
     }
 
     // Those after the first(), in order, up to `until`: f(entry) says whether to go on.
     template <class F> void following(const Real& until, F&& f) {
-        for (const Real last = dayOf(until); last >= m_endOfToday && m_linked > 0;)
+        for (const Real last = dayOf(until); last >= m_endOfToday && anyLeft();)
             openDay();
         for (std::size_t k = m_today.size() - 1; k-- > 0 && m_today[k].time <= until;)
             if (counts(m_today[k]) && !f(m_today[k]))
                 return;
     }
 
-    // Perhaps the k-th after the first(), as far as known: for fetching it ahead.
+    // Perhaps the k-th after the first(), for fetching it ahead.
     Id ahead(std::size_t k) const {
-        return m_today.size() > k ? m_today[m_today.size() - 1 - k].id : head(1);
+        const std::size_t left = m_today.size();
+        return m_today[k < left ? left - 1 - k : 0].id;
     }
 
 private:
-    static constexpr int perDayWanted = 2;
+    static constexpr int eventsADay = 4;
     static constexpr std::size_t mostSorted = 64;
     static constexpr std::int64_t mostDays = 1 << 22; // told apart by a float
     static inline const Real never = std::numeric_limits<Real>::infinity();
 
-    struct Node {
-        Real time = never;
-        Id before = 0, after = 0; // itself: in no list
+    static constexpr std::size_t room = 16;
+    struct alignas(64) Day {
+        std::array<Id, room> ids;
     };
 
-    bool counts(const Entry& e) const { return m_nodes[e.id].time == e.time && m_nodes[e.id].after == e.id; }
-    Real dayOf(const Real& time) const { return (time - m_from) * m_perDay; }
-    Id dayNode(std::int64_t day) const { return m_count + Id(std::uint64_t(day) & (m_days - 1)); }
-    Id laterNode() const { return m_count + Id(m_days); }
-    Id head(std::int64_t ahead) const {
-        const Id i = m_nodes[dayNode(m_day + ahead)].after;
-        return i < m_count ? i : 0;
-    }
+    bool counts(const Entry& e) const { return m_slots[e.id].time() == e.time; }
+    bool anyLeft() const { return m_listed > 0 || !m_later.empty(); }
+    Real dayOf(const Real& time) const { return (time - m_from) * m_perSecond; }
+    Real endOfTurn() const { return Real(m_day + std::int64_t(m_wheel.size())); }
+    std::size_t onWheel(std::int64_t day) const { return std::size_t(day) & (m_wheel.size() - 1); }
 
-    void link(Id i) {
-        const Real time = m_nodes[i].time, day = dayOf(time);
-        if (day < m_endOfToday)
-            return insertToday({time, i});
-        if (!(time < never))
-            return;
-        // What lies up to a turn has a day of its own on the wheel.
-        append(day < Real(m_day + std::int64_t(m_days)) ? dayNode(static_cast<std::int64_t>(day))
-                                                        : laterNode(),
-               i);
-    }
-    void append(Id list, Id i) {
-        Node& node = m_nodes[i];
-        node.before = list;
-        node.after = m_nodes[list].after;
-        m_nodes[node.after].before = i;
-        m_nodes[list].after = i;
-        ++m_linked;
+    void list(std::int64_t at, Id i) {
+        const std::size_t day = onWheel(at);
+        ++m_listed;
+        if (m_counts[day] < room)
+            m_wheel[day].ids[m_counts[day]++] = i;
+        else
+            m_crowd.push_back(i);
     }
 
     static bool later(const Entry& a, const Entry& b) {
@@ -141,30 +132,29 @@ private:
         m_today[k] = e;
     }
 
-    // False: nothing is to come.
-    bool openNext() {
-        for (std::size_t empty = 0; m_today.empty() && m_linked > 0; ++empty) {
-            if (empty > m_days || m_passed + m_sorted > 4 * m_count + 256) {
+    void openNext() {
+        const std::size_t before = m_today.size();
+        for (std::size_t empty = 0; m_today.size() == before && anyLeft(); ++empty) {
+            if (empty > m_wheel.size() || m_passed + m_sorted > 4 * m_count + 256) {
                 adapt();
-                empty = 0;
+                return;
             }
             openDay();
         }
-        return !m_today.empty();
     }
 
     // The days' length is measured; after a turn of the wheel without an event they are made longer.
     void adapt() {
-        const Real perDay = Real(m_sorted) / Real(m_passed + 1);
+        const Real events = Real(m_sorted) / Real(m_passed + 1);
         if (m_sorted == 0)
-            rebuild(m_perDay / 16);
-        else if (perDay > 2 * perDayWanted || 2 * perDay < perDayWanted || m_day > mostDays)
-            rebuild(m_perDay * perDay / perDayWanted);
+            rebuild(m_perSecond / 16);
+        else if (events > 2 * eventsADay || 2 * events < eventsADay || m_day > mostDays)
+            rebuild(m_perSecond * events / eventsADay);
         else
             m_sorted = m_passed = 0;
     }
-    void rebuild(const Real& perDay) {
-        m_perDay = perDay;
+    void rebuild(const Real& perSecond) {
+        m_perSecond = perSecond;
         build();
     }
 
@@ -174,22 +164,47 @@ private:
         if (!(m_endOfToday < Real(m_day + 1))) {
             ++m_day;
             ++m_passed;
-            if (dayNode(m_day) == m_count)
+            if (onWheel(m_day) == 0)
                 fillTurn();
         }
+        const std::size_t day = onWheel(m_day);
+        const Real from = m_endOfToday;
         m_endOfToday = Real(m_day + 1);
         const std::size_t before = m_today.size();
-        Id i = m_nodes[dayNode(m_day)].after;
-        if (i >= m_count)
-            return;
-        for (; i < m_count; i = remove(i))
-            m_today.push_back({m_nodes[i].time, i});
-        auto opened = m_today.begin() + std::ptrdiff_t(before);
+        const auto take = [&](Id i) {
+            const Real time = m_slots[i].time(), on = dayOf(time);
+            if (on >= from && on < m_endOfToday)
+                m_today.push_back({time, i});
+        };
+        for (std::size_t k = 0; k < m_counts[day]; ++k)
+            take(m_wheel[day].ids[k]);
+        m_listed -= m_counts[day];
+        if (m_counts[day] == room && !m_crowd.empty()) {
+            std::for_each(m_crowd.begin(), m_crowd.end(), take);
+            sift();
+        }
+        m_counts[day] = 0;
+        const auto opened = m_today.begin() + std::ptrdiff_t(before);
         if (m_today.size() - before > mostSorted)
             split(opened);
         m_sorted += m_today.size() - before;
         std::sort(opened, m_today.end(), later);
-        std::rotate(m_today.begin(), m_today.begin() + std::ptrdiff_t(before), m_today.end());
+        if (before > 0)
+            std::rotate(m_today.begin(), opened, m_today.end());
+        const std::size_t next = onWheel(m_day + 1);
+        for (std::size_t k = 0; k < m_counts[next]; ++k)
+            __builtin_prefetch(&m_slots[m_wheel[next].ids[k]]);
+        __builtin_prefetch(&m_wheel[onWheel(m_day + 2)]);
+    }
+
+    // What found no room on its day and is past, or on another day now, is forgotten.
+    void sift() {
+        const auto past = std::remove_if(m_crowd.begin(), m_crowd.end(), [this](Id i) {
+            const Real on = dayOf(m_slots[i].time());
+            return on < m_endOfToday || !(on < endOfTurn());
+        });
+        m_listed -= std::size_t(m_crowd.end() - past);
+        m_crowd.erase(past, m_crowd.end());
     }
 
     // Of a long day only the beginning is sorted.
@@ -201,57 +216,55 @@ private:
             std::partition(opened, m_today.end(), [&](const Entry& e) { return !(dayOf(e.time) > last); });
         for (auto e = rest; e != m_today.end(); ++e) {
             m_endOfToday = std::min(m_endOfToday, dayOf(e->time));
-            append(dayNode(m_day), e->id);
+            list(m_day, e->id);
         }
         m_today.erase(rest, m_today.end());
     }
 
     // A new turn of the wheel: of what waited apart, what falls into it.
     void fillTurn() {
-        for (Id i = m_nodes[laterNode()].after, next; i < m_count; i = next) {
-            next = m_nodes[i].after;
-            if (dayOf(m_nodes[i].time) < Real(m_day + std::int64_t(m_days))) {
-                remove(i);
-                link(i);
-            }
+        std::size_t kept = 0;
+        for (const Entry& e : m_later) {
+            const Real day = dayOf(e.time);
+            if (!(day < endOfTurn()))
+                m_later[kept++] = e;
+            else if (day >= m_endOfToday)
+                list(static_cast<std::int64_t>(day), e.id);
         }
-    }
-
-    Id remove(Id i) {
-        Node& node = m_nodes[i];
-        const Id after = node.after;
-        m_linked -= after != i;
-        m_nodes[node.before].after = after;
-        m_nodes[after].before = node.before;
-        node.before = node.after = i;
-        return after;
+        m_later.resize(kept);
+        if (kept > 2 * std::size_t(m_count))
+            std::erase_if(m_later, [this](const Entry& e) { return !counts(e); });
     }
 
     // Half of what is to come comes before the median; as if at a rate that decays.
     Real guess() const {
         std::vector<Real> times;
         for (Id i = 0; i < m_count; ++i)
-            if (m_nodes[i].time < never)
-                times.push_back(m_nodes[i].time);
+            if (m_slots[i].time() < never)
+                times.push_back(m_slots[i].time());
         if (times.empty())
             return Real(1);
         const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
         std::nth_element(times.begin(), middle, times.end());
-        const Real perDay = Real(times.size()) * Real(0.7f) / (perDayWanted * (*middle - m_from));
-        return perDay > Real(0) && perDay < never ? perDay : Real(1);
+        const Real perSecond = Real(times.size()) * Real(0.7f) / (eventsADay * (*middle - m_from));
+        return perSecond > Real(0) && perSecond < never ? perSecond : Real(1);
     }
 
+    const Slot* m_slots;
     Id m_count;
-    std::size_t m_days = 1;
-    std::vector<Node> m_nodes;  // of each; then one for each day of the wheel; one for what comes later
-    std::vector<Entry> m_today; // the earliest at the end
-    Real m_from{0};             // where the days begin
-    Real m_perDay{0};           // days to a second
-    std::int64_t m_day = 0;     // today
-    Real m_endOfToday{0};       // in days; before the end of the day while it is split
-    std::size_t m_linked = 0;   // how many are in a list
-    std::size_t m_sorted = 0;   // events since build()
-    std::size_t m_passed = 0;   // days since build()
+    std::size_t m_known;
+    std::vector<Day> m_wheel;
+    std::vector<std::uint8_t> m_counts; // of each day; apart, so that no one waits for a day to be fetched
+    std::vector<Id> m_crowd;            // what found no room on its day
+    std::vector<Entry> m_later;         // more than a turn ahead
+    std::vector<Entry> m_today;         // the earliest at the end
+    Real m_from{0};                     // where the days begin
+    Real m_perSecond{0};                // how many days
+    std::int64_t m_day = 0;             // today
+    Real m_endOfToday{0};               // in days; before the end of the day while it is split
+    std::size_t m_listed = 0;           // how many are on the wheel and in the crowd
+    std::size_t m_sorted = 0;           // events since build()
+    std::size_t m_passed = 0;           // days since build()
 };
 
 } // namespace thetalane
