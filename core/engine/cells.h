@@ -229,9 +229,22 @@ private:
         Nearby<Real> nearby(m_discs[i], now);
         Slot& slot = m_slots[i];
         slot.pair = nearby.earliest(&m_discs[0], m_near.data(), end, m_at.data(), sofar);
+        if (slot.pair.next <= windowEnd(slot.pair.time) && sofar.time < std::numeric_limits<Real>::infinity())
+            [[unlikely]]
+            slot.pair.next = nextButFirst(nearby, i, end, slot.pair, sofar);
         if (slot.pair.time != sofar.time || slot.pair.partner != sofar.partner)
             slot.partnerChanges = m_discs[slot.pair.partner].changes;
         findOwn(around, i, now, nearby.position());
+    }
+
+    // A disc that was known already and comes near again is not tied with itself.
+    Real nextButFirst(const Nearby<Real>& nearby, unsigned i, const std::uint32_t* end,
+                      const Meeting<Real>& first, const Meeting<Real>& sofar) {
+        std::replace(m_near.data(), m_near.data() + m_looked, first.partner, std::uint32_t(i));
+        const Real next = sofar.partner == first.partner ? sofar.next : std::min(sofar.time, sofar.next);
+        return nearby
+            .earliest(&m_discs[0], m_near.data(), end, m_at.data(), {first.time, next, first.partner})
+            .next;
     }
 
     template <class Around>
