@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/packed_discs.h"
+#include "core/engine/two.h"
 
 #include <algorithm>
 #include <array>
@@ -39,6 +40,9 @@ public:
         while (along(x) * along(y) > most || std::max(along(x), along(y)) > mostInRow)
             width = width * Real(1.2f);
         m_axes = {Axis(x, along(x)), Axis(y, along(y))};
+        m_low = Two<Real>{m_axes[0].low, m_axes[1].low};
+        m_width = Two<Real>{m_axes[0].width, m_axes[1].width};
+        m_counts = Two<Real>{Real(m_axes[0].count), Real(m_axes[1].count)};
         m_none = std::uint32_t(discs);
         m_next.resize(discs + 1, m_none);
         // A ring of cells that stay empty saves asking for the border.
@@ -66,19 +70,29 @@ public:
             return cells < Real(count) ? std::min(static_cast<std::uint32_t>(cells), count - 1) : count - 1;
         }
         bool holds(const Real& q) const { return q >= low && q <= low + width * Real(count); }
-        bool atBorder(std::uint32_t cell) const { return cell == 0 || cell + 1 == count; }
-
-        // Time until something at q with speed v leaves its cell; never through the border.
-        Real leavesIn(std::uint32_t cell, const Real& q, const Real& v) const {
-            const std::uint32_t up = v > Real(0), edge = cell + up;
-            const Real in = (low + width * Real(edge) - q) / v;
-            const bool stays = (v == Real(0)) | (edge == count * up);
-            const Real notBefore = in > Real(0) ? in : Real(0);
-            return stays ? std::numeric_limits<Real>::infinity() : notBefore;
-        }
     };
     const Axis& columns() const { return m_axes[0]; }
     const Axis& rows() const { return m_axes[1]; }
+
+    bool atBorder(std::uint32_t column, std::uint32_t row) const {
+        return (column - 1 >= m_axes[0].count - 2) | (row - 1 >= m_axes[1].count - 2);
+    }
+
+    // When something at p with velocity v leaves its cell, and which way; never through the border.
+    struct Leaving {
+        Real in;
+        bool alongY;
+    };
+    Leaving leaves(std::uint32_t column, std::uint32_t row, const Vec2<Real>& p, const Vec2<Real>& v) const {
+        const Two<Real> zero{0, 0}, one{1, 1}, never = zero + std::numeric_limits<Real>::infinity();
+        const Two<Real> cell{Real(column), Real(row)}, q{p.x, p.y}, speed{v.x, v.y};
+        const auto up = speed > zero;
+        const Two<Real> edge = cell + (up ? one : zero);
+        const Two<Real> in = (m_low + m_width * edge - q) / speed;
+        const auto stays = (speed == zero) | (edge == (up ? m_counts : zero));
+        const Two<Real> leaving = stays ? never : (in > zero ? in : zero);
+        return {std::min(leaving[0], leaving[1]), leaving[1] < leaving[0]};
+    }
 
     void insert(const PackedDiscs<Real>& discs, std::uint32_t i) {
         Cell& cell = m_cells[cellOf(discs[i].column, discs[i].row)];
@@ -131,14 +145,16 @@ public:
     }
 
     // The discs but i in three cells, each `step` after the last, written to `out`, where there is room for
-    // all and two more; returns the end. Every other cell is empty and hardly one holds more than two discs:
-    // so that no branch has to guess, what is not there is written as well, and overwritten by the next.
+    // all and one more; returns the end. Every other cell is empty and hardly one holds two discs: so that no
+    // branch has to guess, what is not there is written as well, and overwritten by the next. Disc i can only
+    // be in the middle of the three, if `withSelf`.
+    template <bool withSelf>
     std::uint32_t* gatherThree(std::uint32_t i, const Cell* cell, std::size_t step,
                                std::uint32_t* out) const {
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k, cell += step) {
             *out = cell->first;
-            out += (cell->first != m_none) & (cell->first != i);
+            out += (cell->first != m_none) & !(withSelf && k == 1 && cell->first == i);
             if (cell->second != m_none) [[unlikely]]
                 out = gatherRest(i, *cell, out);
         }
@@ -166,6 +182,7 @@ private:
     }
 
     std::array<Axis, 2> m_axes;
+    Two<Real> m_low{}, m_width{}, m_counts{}; // of the axes
     std::uint32_t m_stride = 3;
     std::uint32_t m_none = 0;
     std::vector<Cell> m_cells;

@@ -212,9 +212,9 @@ private:
     std::size_t gatherAll(unsigned i) {
         const auto* row = m_grid.around(m_discs[i].column, m_discs[i].row);
         std::uint32_t* end = m_near.data();
-#pragma GCC unroll 3
-        for (int k = 0; k < 3; ++k, row += m_grid.stride())
-            end = m_grid.gatherThree(i, row, 1, end);
+        end = m_grid.template gatherThree<false>(i, row, 1, end);
+        end = m_grid.template gatherThree<true>(i, row + m_grid.stride(), 1, end);
+        end = m_grid.template gatherThree<false>(i, row + 2 * m_grid.stride(), 1, end);
         return std::size_t(end - m_near.data());
     }
 
@@ -232,8 +232,9 @@ private:
         if (slot.pair.next <= windowEnd(slot.pair.time) && sofar.time < std::numeric_limits<Real>::infinity())
             [[unlikely]]
             slot.pair.next = nextButFirst(nearby, i, end, slot.pair, sofar);
-        if (slot.pair.time != sofar.time || slot.pair.partner != sofar.partner)
-            slot.partnerChanges = m_discs[slot.pair.partner].changes;
+        const bool kept = (slot.pair.time == sofar.time) & (slot.pair.partner == sofar.partner);
+        const std::uint32_t changes = m_discs[slot.pair.partner].changes;
+        slot.partnerChanges = kept ? slot.partnerChanges : changes;
         findOwn(around, i, now, nearby.position());
     }
 
@@ -252,16 +253,14 @@ private:
         const PackedDisc<Real>& d = m_discs[i];
         NextEvent<Real> own;
         // Walls are reached from the cells at the border alone.
-        const bool border = m_grid.columns().atBorder(d.column) || m_grid.rows().atBorder(d.row);
+        const bool border = m_grid.atBorder(d.column, d.row);
         if (Around::hasLane || (Around::hasFrame && border))
             own = around.next(i, now, p, d.velocity, d.radius);
         if (m_open && border && !(m_grid.columns().holds(p.x) && m_grid.rows().holds(p.y)))
             m_outside += 1 + m_looked;
         if (around.inPlay(i)) {
-            const Real inX = m_grid.columns().leavesIn(d.column, p.x, d.velocity.x);
-            const Real inY = m_grid.rows().leavesIn(d.row, p.y, d.velocity.y);
-            const bool alongY = inY < inX;
-            const Real time = now + std::min(inX, inY);
+            const auto [in, alongY] = m_grid.leaves(d.column, d.row, p, d.velocity);
+            const Real time = now + in;
             if (time < own.time)
                 own = {time, 0, EventKind::Cell, static_cast<unsigned char>(alongY)};
         }
@@ -277,7 +276,7 @@ private:
         (alongY ? d.row : d.column) += std::uint16_t(up ? 1 : -1);
         const std::size_t step = alongY ? 1 : m_grid.stride(), across = alongY ? m_grid.stride() : 1;
         const auto* cell = m_grid.around(d.column, d.row) + (up ? 2 * across : 0);
-        const std::uint32_t* end = m_grid.gatherThree(i, cell, step, m_near.data());
+        const std::uint32_t* end = m_grid.template gatherThree<false>(i, cell, step, m_near.data());
         m_looked = std::size_t(end - m_near.data());
         m_grid.insert(m_discs, i);
         const Real before = m_slots[i].time();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/packed_discs.h"
+#include "core/engine/two.h"
 #include "core/motion/impact.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ template <class Real> struct Meeting {
 // the price of one, and without a branch, so that nothing is mispredicted.
 template <class Real> class Nearby {
 public:
-    static constexpr std::size_t atOnce = 4;
+    static constexpr std::size_t atOnce = 2;
 
     Nearby(const PackedDisc<Real>& disc, const Real& now)
         : m_position(disc.positionAt(now))
@@ -36,7 +37,7 @@ public:
 
     const Vec2<Real>& position() const { return m_position; }
 
-    // The earliest of the meetings with those from `who` to `end`, rounded up to whole fours, and of what is
+    // The earliest of the meetings with those from `who` to `end`, rounded up to whole pairs, and of what is
     // known so far; of equals the first in the scene. `at` has room for when each of them is met.
     Meeting<Real> earliest(const PackedDisc<Real>* discs, const std::uint32_t* who, const std::uint32_t* end,
                            Real* at, const Meeting<Real>& sofar) const {
@@ -59,7 +60,7 @@ public:
         for (w = who; w < end; w += atOnce, at += atOnce)
             for (std::size_t k = 0; k < atOnce; ++k)
                 partner |= w[k] & -std::uint32_t(at[k] == best.time);
-        best.partner = partner;
+        best.partner = best.time < never ? partner : 0;
         if (best.next == best.time && best.time < never) [[unlikely]]
             best.partner = firstOfEquals(who, end, begin, best, sofar);
         return best;
@@ -67,7 +68,7 @@ public:
 
 private:
     static inline constexpr Real never = std::numeric_limits<Real>::infinity();
-    typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+    using Two = thetalane::Two<Real>;
 
     static Two both(const Real& x) { return Two{x, x}; }
 
