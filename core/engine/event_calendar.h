@@ -29,7 +29,7 @@ public:
         , m_count(Id(slots.size()))
         , m_known(known) {
         std::size_t days = 16;
-        while (days * eventsADay < m_count)
+        while (days * eventsADay < 2 * m_count)
             days *= 2;
         m_wheel.resize(days);
         m_counts.resize(days);
@@ -123,6 +123,22 @@ private:
     static bool later(const Entry& a, const Entry& b) {
         return a.time > b.time || (a.time == b.time && a.id > b.id);
     }
+    // A few are counted to their places, which leaves nothing to guess.
+    static void sort(Entry* entries, std::size_t count) {
+        std::array<Entry, 8> old;
+        if (count > old.size())
+            return std::sort(entries, entries + count, later);
+        for (std::size_t a = 0; a < count; ++a)
+            old[a] = entries[a];
+        for (std::size_t a = 0; a < count; ++a) {
+            std::size_t place = 0;
+            for (std::size_t b = 0; b < count; ++b)
+                place += (old[b].time > old[a].time) |
+                         ((old[b].time == old[a].time) &
+                          ((old[b].id > old[a].id) | ((old[b].id == old[a].id) & (b < a))));
+            entries[place] = old[a];
+        }
+    }
     void insertToday(const Entry& e) {
         std::size_t k = m_today.size();
         m_today.push_back(e);
@@ -171,24 +187,29 @@ private:
         const Real from = m_endOfToday;
         m_endOfToday = Real(m_day + 1);
         const std::size_t before = m_today.size();
+        // Half of them may be void: written all the same, and overwritten by the next.
+        const bool full = m_counts[day] == room;
+        m_today.resize(before + m_counts[day] + (full ? m_crowd.size() : 0) + 1);
+        Entry* end = m_today.data() + before;
         const auto take = [&](Id i) {
             const Real time = m_slots[i].time(), on = dayOf(time);
-            if (on >= from && on < m_endOfToday)
-                m_today.push_back({time, i});
+            *end = {time, i};
+            end += (on >= from) & (on < m_endOfToday);
         };
         for (std::size_t k = 0; k < m_counts[day]; ++k)
             take(m_wheel[day].ids[k]);
         m_listed -= m_counts[day];
-        if (m_counts[day] == room && !m_crowd.empty()) {
+        if (full && !m_crowd.empty()) {
             std::for_each(m_crowd.begin(), m_crowd.end(), take);
             sift();
         }
+        m_today.resize(std::size_t(end - m_today.data()));
         m_counts[day] = 0;
         const auto opened = m_today.begin() + std::ptrdiff_t(before);
         if (m_today.size() - before > mostSorted)
             split(opened);
         m_sorted += m_today.size() - before;
-        std::sort(opened, m_today.end(), later);
+        sort(m_today.data() + before, m_today.size() - before);
         if (before > 0)
             std::rotate(m_today.begin(), opened, m_today.end());
         const std::size_t next = onWheel(m_day + 1);
