@@ -62,11 +62,12 @@ public:
             const First first = firstOf(i);
             const Real end = windowEnd(time);
             bool settled = true, tied = tiedInSlot(around, i, first, end);
-            m_queue.following(end, [&](const auto& other) {
-                settled = !settle(around, other.id, end);
-                tied = tied || tiedInSlot(around, other.id, first, end);
-                return settled;
-            });
+            if (!tied)
+                m_queue.following(end, [&](const auto& other) {
+                    settled = !settle(around, other.id, end);
+                    tied = tied || tiedInSlot(around, other.id, first, end);
+                    return settled && !tied;
+                });
             if (settled && !settle(around, i, end))
                 return {first.body, first.event, tied};
         }
@@ -125,21 +126,33 @@ private:
         const auto third = m_queue.ahead(4);
         prefetch(&m_discs[third]);
         prefetch(&m_discs[m_slots[third].pair.partner]);
-        overCells(m_queue.ahead(2), [](const auto* row) { prefetch(row); });
+        prefetch(&m_slots[m_slots[third].pair.partner]);
+        overCells(m_queue.ahead(2), [](const auto* row) {
+            prefetch(row);
+            prefetch(row + 2);
+        });
         overCells(m_queue.ahead(1), [this](const auto* row) {
             for (int c = 0; c < 3; ++c)
-                prefetch(&m_discs[row[c].first]);
+                prefetch(&m_discs[0] + row[c].first);
         });
     }
+    // f(row) for three rows of three cells, about disc i where it comes to be, and about its partner.
     template <class F> void overCells(unsigned i, F&& f) {
-        const auto rowsAbout = [&](unsigned j) {
-            const auto* row = m_grid.around(m_discs[j].column, m_discs[j].row);
+        const auto rowsAbout = [&](unsigned j, int right, int up) {
+            const auto* row = m_grid.around(m_discs[j].column, m_discs[j].row) + right;
+            row += std::ptrdiff_t(up) * m_grid.stride();
             for (int k = 0; k < 3; ++k, row += m_grid.stride())
                 f(row);
         };
-        rowsAbout(i);
-        if (m_slots[i].isPair())
-            rowsAbout(m_slots[i].pair.partner);
+        const Slot& slot = m_slots[i];
+        if (slot.isPair()) {
+            rowsAbout(i, 0, 0);
+            rowsAbout(slot.pair.partner, 0, 0);
+        } else if (slot.own.kind == EventKind::Cell) {
+            const Vec2<Real> v = m_discs[i].velocity;
+            const bool alongY = slot.own.detail;
+            rowsAbout(i, alongY ? 0 : v.x > 0 ? 1 : -1, !alongY ? 0 : v.y > 0 ? 1 : -1);
+        }
     }
     static constexpr std::size_t manyDiscs = 5000;
     static void prefetch(const void* p) { __builtin_prefetch(p); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace thetalane {
@@ -33,6 +34,7 @@ public:
             days *= 2;
         m_wheel.resize(days);
         m_counts.resize(days);
+        m_crowdOf.resize(days);
         m_today.reserve(mostSorted);
     }
 
@@ -44,7 +46,9 @@ public:
         m_from = m_from < never ? m_from : Real(0);
         m_today.clear();
         m_later.clear();
-        m_crowd.clear();
+        m_crowds.resize(1);
+        m_free = 0;
+        std::fill(m_crowdOf.begin(), m_crowdOf.end(), 0);
         std::fill(m_counts.begin(), m_counts.end(), 0);
         if (!(m_perSecond > Real(0)))
             m_perSecond = guess();
@@ -104,6 +108,11 @@ private:
     struct alignas(64) Day {
         std::array<Id, room> ids;
     };
+    // What had no room on its day any more, sixteen at a time.
+    struct Crowd {
+        Day day;
+        Id next; // of the same day; 0: no more
+    };
 
     bool counts(const Entry& e) const { return m_slots[e.id].time() == e.time; }
     bool anyLeft() const { return m_listed > 0 || !m_later.empty(); }
@@ -114,10 +123,21 @@ private:
     void list(std::int64_t at, Id i) {
         const std::size_t day = onWheel(at);
         ++m_listed;
-        if (m_counts[day] < room)
-            m_wheel[day].ids[m_counts[day]++] = i;
-        else
-            m_crowd.push_back(i);
+        if (m_counts[day] == room) [[unlikely]]
+            makeRoom(day);
+        m_wheel[day].ids[m_counts[day]++] = i;
+    }
+    void makeRoom(std::size_t day) {
+        Id crowd = m_free;
+        if (crowd == 0) {
+            crowd = Id(m_crowds.size());
+            m_crowds.emplace_back();
+        } else {
+            m_free = m_crowds[crowd].next;
+        }
+        m_crowds[crowd] = {m_wheel[day], m_crowdOf[day]};
+        m_crowdOf[day] = crowd;
+        m_counts[day] = 0;
     }
 
     static bool later(const Entry& a, const Entry& b) {
@@ -188,8 +208,7 @@ private:
         m_endOfToday = Real(m_day + 1);
         const std::size_t before = m_today.size();
         // Half of them may be void: written all the same, and overwritten by the next.
-        const bool full = m_counts[day] == room;
-        m_today.resize(before + m_counts[day] + (full ? m_crowd.size() : 0) + 1);
+        m_today.resize(before + m_counts[day] + 1);
         Entry* end = m_today.data() + before;
         const auto take = [&](Id i) {
             const Real time = m_slots[i].time(), on = dayOf(time);
@@ -199,9 +218,14 @@ private:
         for (std::size_t k = 0; k < m_counts[day]; ++k)
             take(m_wheel[day].ids[k]);
         m_listed -= m_counts[day];
-        if (full && !m_crowd.empty()) {
-            std::for_each(m_crowd.begin(), m_crowd.end(), take);
-            sift();
+        while (const Id crowd = std::exchange(m_crowdOf[day], m_crowds[m_crowdOf[day]].next)) {
+            const std::size_t taken = std::size_t(end - m_today.data());
+            m_today.resize(taken + room + 1);
+            end = m_today.data() + taken;
+            for (const Id i : m_crowds[crowd].day.ids)
+                take(i);
+            m_listed -= room;
+            m_crowds[crowd].next = std::exchange(m_free, crowd);
         }
         m_today.resize(std::size_t(end - m_today.data()));
         m_counts[day] = 0;
@@ -216,16 +240,6 @@ private:
         for (std::size_t k = 0; k < m_counts[next]; ++k)
             __builtin_prefetch(&m_slots[m_wheel[next].ids[k]]);
         __builtin_prefetch(&m_wheel[onWheel(m_day + 2)]);
-    }
-
-    // What found no room on its day and is past, or on another day now, is forgotten.
-    void sift() {
-        const auto past = std::remove_if(m_crowd.begin(), m_crowd.end(), [this](Id i) {
-            const Real on = dayOf(m_slots[i].time());
-            return on < m_endOfToday || !(on < endOfTurn());
-        });
-        m_listed -= std::size_t(m_crowd.end() - past);
-        m_crowd.erase(past, m_crowd.end());
     }
 
     // Of a long day only the beginning is sorted.
@@ -276,16 +290,18 @@ private:
     std::size_t m_known;
     std::vector<Day> m_wheel;
     std::vector<std::uint8_t> m_counts; // of each day; apart, so that no one waits for a day to be fetched
-    std::vector<Id> m_crowd;            // what found no room on its day
-    std::vector<Entry> m_later;         // more than a turn ahead
-    std::vector<Entry> m_today;         // the earliest at the end
-    Real m_from{0};                     // where the days begin
-    Real m_perSecond{0};                // how many days
-    std::int64_t m_day = 0;             // today
-    Real m_endOfToday{0};               // in days; before the end of the day while it is split
-    std::size_t m_listed = 0;           // how many are on the wheel and in the crowd
-    std::size_t m_sorted = 0;           // events since build()
-    std::size_t m_passed = 0;           // days since build()
+    std::vector<Id> m_crowdOf;          // the first of each day
+    std::vector<Crowd> m_crowds = std::vector<Crowd>(1);
+    Id m_free = 0;              // the first crowd that is not in use
+    std::vector<Entry> m_later; // more than a turn ahead
+    std::vector<Entry> m_today; // the earliest at the end
+    Real m_from{0};             // where the days begin
+    Real m_perSecond{0};        // how many days
+    std::int64_t m_day = 0;     // today
+    Real m_endOfToday{0};       // in days; before the end of the day while it is split
+    std::size_t m_listed = 0;   // how many are on the wheel and in the crowd
+    std::size_t m_sorted = 0;   // events since build()
+    std::size_t m_passed = 0;   // days since build()
 };
 
 } // namespace thetalane
