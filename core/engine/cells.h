@@ -1,5 +1,5 @@
 // The search for many bodies: a disc is compared with those in its own and the adjacent cells, and events
-// wait in a tournament.
+// wait in a calendar.
 //
 // Each disc keeps its best collision and, apart, its next event on its own: a wall, an edge of the lane, or
 // the edge of its cell, where it looks at the cells that become adjacent. The best collision is kept though
@@ -9,12 +9,13 @@
 #pragma once
 
 #include "core/engine/cell_grid.h"
-#include "core/engine/earliest_tree.h"
+#include "core/engine/event_calendar.h"
 #include "core/engine/first_event.h"
 #include "core/engine/nearby.h"
 #include "core/engine/surroundings.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace thetalane {
@@ -29,10 +30,12 @@ public:
         : m_discs(scene.bodies)
         , m_frame(scene.frame.value_or(Frame{}))
         , m_slots(m_discs.count())
-        , m_queue(m_discs.count())
-        , m_near(m_discs.count() + 1) {
+        , m_queue(m_slots, m_discs.count() > manyDiscs ? 6 : 1)
+        , m_near(m_discs.count() + 2 + Nearby<Real>::atOnce)
+        , m_at(m_near.size()) {
         for (Index i = 0; i < m_discs.count(); ++i)
             m_reach = std::max(m_reach, Real(2 * m_discs[i].radius));
+        m_fetches = m_discs.count() > manyDiscs;
         m_open = !(m_frame.left && m_frame.right && m_frame.bottom && m_frame.top);
     }
 
@@ -45,129 +48,253 @@ public:
     // run: whether anything more will happen is known only then. In open space that is soon.
     template <class Around> FirstEvent<Real> earliest(const Around& around) {
         for (;;) {
-            const auto i = unsigned(m_queue.first());
-            const Slot& slot = m_slots[i];
-            if (slot.pairTime < slot.own.time) {
-                if (m_discs[slot.partner].changes == slot.partnerChanges)
-                    return {i, {slot.pairTime, slot.partner, EventKind::Pair, 0}, false};
-                const Real now = slot.pairTime;
-                look(around, i, now);
-            } else if (slot.own.kind == EventKind::Cell) {
-                cross(around, i, slot.own.time);
-            } else {
-                return {i, slot.own, false};
-            }
+            const auto [time, i] = m_queue.first();
+            if (!(time < std::numeric_limits<Real>::infinity()))
+                return {0, {}, false};
+            if (m_fetches)
+                fetchAhead();
+            if (settle(around, i, time))
+                continue;
+            const FirstEvent<Real> first = firstOf(i);
+            const Real end = windowEnd(time);
+            bool settled = true, tied = tiedInSlot(around, i, first, end);
+            if (!tied)
+                m_queue.following(end, [&](const auto& other) {
+                    settled = !settle(around, other.id, end);
+                    tied = tied || tiedInSlot(around, other.id, first, end);
+                    return settled && !tied;
+                });
+            if (settled && !settle(around, i, end))
+                return {first.body, first.event, tied};
         }
     }
 
     template <class Around> void changedCourse(const Around& around, Index i, Index j, const Real& now) {
-        ++m_events;
-        ++m_discs[i].changes;
-        if (j != nobody)
-            ++m_discs[j].changes;
-        look(around, unsigned(i), now);
-        if (j != nobody)
-            look(around, unsigned(j), now);
+        const Index both[] = {i, j};
+        changedCourse(around, std::span(both, j == nobody ? 1 : 2), now);
     }
-
+    // A group, all moved to `now`.
     template <class Around>
     void changedCourse(const Around& around, std::span<const Index> bodies, const Real& now) {
-        for (const Index b : bodies)
-            ++m_discs[b].changes;
-        m_events += bodies.size();
-        for (const Index b : bodies)
-            look(around, unsigned(b), now);
+        ++m_events;
+        for (const Index i : bodies)
+            ++m_discs[i].changes;
+        for (const Index i : bodies)
+            look(around, unsigned(i), now);
     }
-    template <class F> void forEachNear(Index i, const Real&, F&& f) {
-        const PackedDisc<Real>& d = m_discs[i];
-        const std::size_t count =
-            m_grid.gather(m_discs, unsigned(i), d.column, d.column + 2, d.row, d.row + 2, m_near.data());
-        for (std::size_t k = 0; k < count; ++k)
-            f(Index(m_near[k]));
+
+    // f(j) for every other body j that could touch body i at this instant, and some that could not.
+    template <class F> void forEachNear(Index i, const Real&, F&& f) const {
+        const auto* row = m_grid.around(m_discs[i].column, m_discs[i].row);
+        for (int k = 0; k < 3; ++k, row += m_grid.stride())
+            for (int c = 0; c < 3; ++c)
+                m_grid.forEachIn(row[c], [&](std::uint32_t j) {
+                    if (j != i)
+                        f(Index(j));
+                });
     }
 
     void shiftTime(const Real& shift) {
+        m_lastShift = shift;
         for (Index i = 0; i < m_discs.count(); ++i) {
+            Slot& slot = m_slots[i];
             m_discs[i].since = m_discs[i].since - shift;
-            m_slots[i].pairTime = m_slots[i].pairTime - shift;
-            m_slots[i].own.time = m_slots[i].own.time - shift;
+            slot.pair.time = slot.pair.time - shift;
+            slot.pair.next = slot.pair.next - shift;
+            slot.own.time = slot.own.time - shift;
         }
-        m_queue.shiftTime(shift);
+        m_queue.build();
     }
 
 private:
-    struct Slot {
-        Real pairTime = std::numeric_limits<Real>::infinity();
-        NextEvent<Real> own;
-        std::uint32_t partner = 0;
+    struct alignas(sizeof(Real) == 8 ? 64 : alignof(Real)) Slot {
+        Meeting<Real> pair;
         std::uint32_t partnerChanges = 0;
+        NextEvent<Real> own;
+
+        bool isPair() const { return pair.time < own.time; }
+        Real time() const { return std::min(pair.time, own.time); }
     };
+
+    // So many discs are not in the processor's cache: what the next events need is asked for ahead, first the
+    // disc and its partner, then the cells that will be looked at, then who is in them.
+    void fetchAhead() {
+        const auto third = m_queue.ahead(4);
+        prefetch(&m_discs[third]);
+        prefetch(&m_discs[m_slots[third].pair.partner]);
+        prefetch(&m_slots[m_slots[third].pair.partner]);
+        overCells(m_queue.ahead(2), [](const auto* row) {
+            prefetch(row);
+            prefetch(row + 2);
+        });
+        overCells(m_queue.ahead(1), [this](const auto* row) {
+            for (int c = 0; c < 3; ++c)
+                prefetch(&m_discs[0] + row[c].first);
+        });
+    }
+    // f(row) for three rows of three cells, about disc i where it comes to be, and about its partner.
+    template <class F> void overCells(unsigned i, F&& f) {
+        const auto rowsAbout = [&](unsigned j, int right, int up) {
+            const auto* row = m_grid.around(m_discs[j].column, m_discs[j].row) + right;
+            row += std::ptrdiff_t(up) * m_grid.stride();
+            for (int k = 0; k < 3; ++k, row += m_grid.stride())
+                f(row);
+        };
+        const Slot& slot = m_slots[i];
+        if (slot.isPair()) {
+            rowsAbout(i, 0, 0);
+            rowsAbout(slot.pair.partner, 0, 0);
+        } else if (slot.own.kind == EventKind::Cell) {
+            const Vec2<Real> v = m_discs[i].velocity;
+            const bool alongY = slot.own.detail;
+            rowsAbout(i, alongY ? 0 : v.x > 0 ? 1 : -1, !alongY ? 0 : v.y > 0 ? 1 : -1);
+        }
+    }
+    static constexpr std::size_t manyDiscs = 5000;
+    static void prefetch(const void* p) { __builtin_prefetch(p); }
+
+    // If what disc i comes to until `end` is void or a mere crossing, it is dealt with.
+    template <class Around> bool settle(const Around& around, unsigned i, const Real& end) {
+        const Slot& slot = m_slots[i];
+        if (slot.isPair() && m_discs[slot.pair.partner].changes != slot.partnerChanges)
+            look(around, i, Real(slot.pair.time));
+        else if (slot.own.kind == EventKind::Cell && slot.own.time <= end)
+            cross(around, i, Real(slot.own.time));
+        else
+            return false;
+        return true;
+    }
+
+    FirstEvent<Real> firstOf(unsigned i) const {
+        const Slot& slot = m_slots[i];
+        if (slot.isPair())
+            return {i, {slot.pair.time, slot.pair.partner, EventKind::Pair, 0}, false};
+        return {i, slot.own, false};
+    }
+
+    // Times of the same instant are as far apart as the rounding of positions and of times makes them.
+    Real windowEnd(const Real& time) const { return time + tieWindow<Real>(std::abs(time) + m_lastShift); }
+
+    // Whether disc i comes to another contact until `end`.
+    template <class Around>
+    bool tiedInSlot(const Around& around, unsigned i, const FirstEvent<Real>& first, const Real& end) const {
+        const Slot& slot = m_slots[i];
+        const bool pair = first.event.kind == EventKind::Pair, isFirst = i == first.body;
+        const bool samePair =
+            pair && (isFirst || (i == first.event.partner && slot.pair.partner == first.body));
+        if (slot.pair.next <= end || (slot.pair.time <= end && !samePair))
+            return true;
+        if (slot.own.time <= end && (pair || !isFirst))
+            return slot.own.kind != EventKind::Cell;
+        return isFirst && first.event.kind == EventKind::Wall && inCorner(around, i, first.event, end);
+    }
+
+    // Whether disc i, which meets a wall, meets another until `end`.
+    template <class Around>
+    bool inCorner(const Around& around, unsigned i, const NextEvent<Real>& event, const Real& end) const {
+        if constexpr (Around::hasFrame) {
+            const PackedDisc<Real>& d = m_discs[i];
+            const Vec2<Real> p = d.positionAt(event.time);
+            for (const Side side : sides) {
+                const Real wall = around.walls().at[int(side)];
+                const auto a = approachTo(side, wall, p, d.velocity, d.radius);
+                const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * (std::abs(wall) + d.radius);
+                if (side != Side(event.detail) && a.speed > 0 &&
+                    a.gap <= a.speed * (end - event.time) + rounding)
+                    return !(a.gap == std::numeric_limits<Real>::infinity());
+            }
+        }
+        return false;
+    }
 
     // All that can happen to disc i next.
     template <class Around> void look(const Around& around, unsigned i, const Real& now) {
-        const PackedDisc<Real>& d = m_discs[i];
-        m_slots[i].pairTime = std::numeric_limits<Real>::infinity();
-        if (around.inPlay(i))
-            lookIn(around, i, now, d.column, d.column + 2, d.row, d.row + 2);
-        findOwn(around, i, now);
-        wait(around, i, now);
+        const Real before = m_slots[i].time();
+        m_looked = around.inPlay(i) ? gatherAll(i) : 0;
+        find(around, i, now, {});
+        wait(around, i, before, now);
     }
 
-    // Rows and columns as CellGrid::visit() counts them.
+    std::size_t gatherAll(unsigned i) {
+        const auto* row = m_grid.around(m_discs[i].column, m_discs[i].row);
+        std::uint32_t* end = m_near.data();
+        end = m_grid.template gatherThree<false>(i, row, 1, end);
+        end = m_grid.template gatherThree<true>(i, row + m_grid.stride(), 1, end);
+        end = m_grid.template gatherThree<false>(i, row + 2 * m_grid.stride(), 1, end);
+        return std::size_t(end - m_near.data());
+    }
+
+    // What comes first, of what is known so far and with the discs gathered, and what disc i does on its own.
     template <class Around>
-    void lookIn(const Around& around, unsigned i, const Real& now, std::uint32_t c0, std::uint32_t c1,
-                std::uint32_t r0, std::uint32_t r1) {
-        Slot& slot = m_slots[i];
-        const std::size_t count = m_grid.gather(m_discs, i, c0, c1, r0, r1, m_near.data());
-        m_looked = count;
+    void find(const Around& around, unsigned i, const Real& now, const Meeting<Real>& sofar) {
+        std::uint32_t* end = m_near.data() + m_looked;
+        if constexpr (Around::hasLane)
+            end = std::remove_if(m_near.data(), end, [&](std::uint32_t j) { return !around.inPlay(j); });
+        for (std::size_t k = 0; k + 1 < Nearby<Real>::atOnce; ++k)
+            end[k] = i; // whom it never meets
         Nearby<Real> nearby(m_discs[i], now);
-        const auto best = nearby.earliest(m_discs, m_near.data(), count, {slot.pairTime, m_grid.none()},
-                                          [&around](std::uint32_t j) { return around.inPlay(j); });
-        if (best.partner != m_grid.none())
-            slot = {best.time, slot.own, best.partner, m_discs[best.partner].changes};
+        Slot& slot = m_slots[i];
+        slot.pair = nearby.earliest(&m_discs[0], m_near.data(), end, m_at.data(), sofar);
+        if (slot.pair.next <= windowEnd(slot.pair.time) && sofar.time < std::numeric_limits<Real>::infinity())
+            [[unlikely]]
+            slot.pair.next = nextButFirst(nearby, i, end, slot.pair, sofar);
+        const bool kept = (slot.pair.time == sofar.time) & (slot.pair.partner == sofar.partner);
+        const std::uint32_t changes = m_discs[slot.pair.partner].changes;
+        slot.partnerChanges = kept ? slot.partnerChanges : changes;
+        findOwn(around, i, now, nearby.position());
     }
 
-    template <class Around> void findOwn(const Around& around, unsigned i, const Real& now) {
+    // A disc that was known already and comes near again is not tied with itself.
+    Real nextButFirst(const Nearby<Real>& nearby, unsigned i, const std::uint32_t* end,
+                      const Meeting<Real>& first, const Meeting<Real>& sofar) {
+        std::replace(m_near.data(), m_near.data() + m_looked, first.partner, std::uint32_t(i));
+        const Real next = sofar.partner == first.partner ? sofar.next : std::min(sofar.time, sofar.next);
+        return nearby
+            .earliest(&m_discs[0], m_near.data(), end, m_at.data(), {first.time, next, first.partner})
+            .next;
+    }
+
+    template <class Around>
+    void findOwn(const Around& around, unsigned i, const Real& now, const Vec2<Real>& p) {
         const PackedDisc<Real>& d = m_discs[i];
-        const Vec2<Real> p = d.positionAt(now);
-        NextEvent<Real>& own = m_slots[i].own;
-        own = {};
+        NextEvent<Real> own;
         // Walls are reached from the cells at the border alone.
-        const bool border = m_grid.columns().atBorder(d.column) || m_grid.rows().atBorder(d.row);
+        const bool border = m_grid.atBorder(d.column, d.row);
         if (Around::hasLane || (Around::hasFrame && border))
             own = around.next(i, now, {p, d.velocity, {}, d.radius});
         if (m_open && border && !(m_grid.columns().holds(p.x) && m_grid.rows().holds(p.y)))
             m_outside += 1 + m_looked;
-        if (!around.inPlay(i))
-            return;
-        const Real inX = m_grid.columns().leavesIn(d.column, p.x, d.velocity.x);
-        const Real inY = m_grid.rows().leavesIn(d.row, p.y, d.velocity.y);
-        const Real time = now + std::min(inX, inY);
-        if (time < own.time)
-            own = {time, 0, EventKind::Cell, static_cast<unsigned char>(inY < inX)};
+        if (around.inPlay(i)) {
+            const auto [in, alongY] = m_grid.leaves(d.column, d.row, p, d.velocity);
+            const Real time = now + in;
+            if (time < own.time)
+                own = {time, 0, EventKind::Cell, static_cast<unsigned char>(alongY)};
+        }
+        m_slots[i].own = own;
     }
 
     // Disc i enters the next cell: it stays as it is, and looks at the three cells that become adjacent.
-    template <class Around> void cross(const Around& around, unsigned i, Real now) {
+    template <class Around> void cross(const Around& around, unsigned i, const Real& now) {
         PackedDisc<Real>& d = m_discs[i];
         m_grid.remove(m_discs, i);
         const bool alongY = m_slots[i].own.detail;
         const bool up = (alongY ? d.velocity.y : d.velocity.x) > 0;
-        (alongY ? d.row : d.column) += up ? 1u : ~0u;
+        (alongY ? d.row : d.column) += std::uint16_t(up ? 1 : -1);
+        const std::size_t step = alongY ? 1 : m_grid.stride(), across = alongY ? m_grid.stride() : 1;
+        const auto* cell = m_grid.around(d.column, d.row) + (up ? 2 * across : 0);
+        const std::uint32_t* end = m_grid.template gatherThree<false>(i, cell, step, m_near.data());
+        m_looked = std::size_t(end - m_near.data());
         m_grid.insert(m_discs, i);
-        const std::uint32_t column = d.column, row = d.row, ahead = up ? 2 : 0;
-        if (alongY)
-            lookIn(around, i, now, column, column + 2, row + ahead, row + ahead);
-        else
-            lookIn(around, i, now, column + ahead, column + ahead, row, row + 2);
-        findOwn(around, i, now);
-        wait(around, i, now);
+        const Real before = m_slots[i].time();
+        find(around, i, now, Meeting<Real>(m_slots[i].pair));
+        wait(around, i, before, now);
     }
 
     // Laying the cells anew costs a few looks of each disc; as many are wasted outside before.
     // Never without collisions: what only flies apart comes to its last crossing.
-    template <class Around> void wait(const Around& around, unsigned i, const Real& now) {
-        m_queue.change(i, std::min(m_slots[i].pairTime, m_slots[i].own.time));
+    template <class Around> void wait(const Around& around, unsigned i, const Real& before, const Real& now) {
+        if (m_slots[i].time() != before)
+            m_queue.add(i);
         if (m_open && m_outside > 8 * m_discs.count() && 16 * m_events > m_discs.count())
             layOut(around, now);
     }
@@ -179,18 +306,15 @@ private:
                       region(now, &Vec2<Real>::y, m_frame.bottom, m_frame.top), m_reach, m_discs.count());
         for (Index i = 0; i < m_discs.count(); ++i) {
             const Vec2<Real> p = m_discs[i].positionAt(now);
-            m_discs[i].column = m_grid.columns().cellAt(p.x);
-            m_discs[i].row = m_grid.rows().cellAt(p.y);
+            m_discs[i].column = std::uint16_t(m_grid.columns().cellAt(p.x));
+            m_discs[i].row = std::uint16_t(m_grid.rows().cellAt(p.y));
             m_slots[i] = {};
         }
         // Each looks at those before it, which are in their cells already: every pair once.
         for (unsigned i = 0; i < m_discs.count(); ++i) {
-            const PackedDisc<Real>& d = m_discs[i];
-            if (around.inPlay(i))
-                lookIn(around, i, now, d.column, d.column + 2, d.row, d.row + 2);
-            findOwn(around, i, now);
+            m_looked = around.inPlay(i) ? gatherAll(i) : 0;
+            find(around, i, now, {});
             m_grid.insert(m_discs, i);
-            m_queue.set(i, std::min(m_slots[i].pairTime, m_slots[i].own.time));
         }
         m_queue.build();
     }
@@ -217,8 +341,11 @@ private:
     Real m_reach{0};
     std::vector<Slot> m_slots;
     CellGrid<Real> m_grid;
-    EarliestTree<Real> m_queue;
-    std::vector<std::uint32_t> m_near; // of the last lookIn()
+    EventCalendar<Real, Slot> m_queue;
+    Real m_lastShift{0};
+    bool m_fetches = false;
+    std::vector<std::uint32_t> m_near; // of the last look
+    std::vector<Real> m_at;            // when each of them is met
     std::size_t m_looked = 0;          // at how many, the last time
     std::size_t m_events = 0;          // since the cells were laid
     std::size_t m_outside = 0;         // looks since the cells were laid, by discs outside of them

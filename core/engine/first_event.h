@@ -16,7 +16,8 @@ template <class Real> struct FirstEvent {
 // Times that differ by no more may be of the same instant.
 template <class Real> Real tieWindow(const Real& time) {
     using std::abs;
-    return abs(time) * (65536 * std::numeric_limits<Real>::epsilon());
+    constexpr int roundings = sizeof(Real) < 8 ? 16 : 65536; // of a float few, or all were of one instant
+    return abs(time) * (roundings * std::numeric_limits<Real>::epsilon());
 }
 
 } // namespace thetalane

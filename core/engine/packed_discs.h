@@ -16,9 +16,9 @@ template <class Real> struct alignas(sizeof(Real) == 8 ? 64 : alignof(Real)) Pac
     Real since{0};
     Real radius{};
     std::uint32_t changes = 0; // of course, so far: an event that counted on an earlier one is void
-    std::uint32_t column = 0;  // of its cell
-    std::uint32_t row = 0;
-    std::uint32_t nextInCell = 0;
+    std::uint16_t column = 0;  // of its cell
+    std::uint16_t row = 0;
+    Real mass{1};
 
     Vec2<Real> positionAt(const Real& now) const {
         const Real elapsed = now - since;
@@ -30,18 +30,13 @@ static_assert(sizeof(PackedDisc<double>) == 64);
 template <class Real> class PackedDiscs {
 public:
     explicit PackedDiscs(const std::vector<Body>& bodies) {
-        m_discs.reserve(bodies.size() + 1);
-        m_masses.reserve(bodies.size());
-        for (const Body& b : bodies) {
-            m_discs.push_back(
-                {convert<Real>(b.position), convert<Real>(b.velocity), Real(0), Real(b.radius)});
-            m_masses.push_back(Real(b.mass));
-        }
-        m_discs.emplace_back(); // nobody, who stands for the empty cells
-        m_discs.back().nextInCell = std::uint32_t(bodies.size());
+        m_discs.reserve(bodies.size());
+        for (const Body& b : bodies)
+            m_discs.push_back({convert<Real>(b.position), convert<Real>(b.velocity), Real(0), Real(b.radius),
+                               0, 0, 0, Real(b.mass)});
     }
 
-    std::size_t count() const { return m_masses.size(); }
+    std::size_t count() const { return m_discs.size(); }
     PackedDisc<Real>& operator[](std::size_t i) { return m_discs[i]; }
     const PackedDisc<Real>& operator[](std::size_t i) const { return m_discs[i]; }
 
@@ -56,12 +51,12 @@ public:
     Vec2<Real> positionAt(std::size_t i, const Real& now) const { return m_discs[i].positionAt(now); }
     Vec2<Real> velocityAt(std::size_t i, const Real&) const { return m_discs[i].velocity; }
     Vec2<Real> acceleration(std::size_t) const { return {}; }
-    Real massOf(std::size_t i) const { return m_masses[i]; }
+    Real massOf(std::size_t i) const { return m_discs[i].mass; }
     Real radiusOf(std::size_t i) const { return m_discs[i].radius; }
     void setVelocity(std::size_t i, const Vec2<Real>& v) { m_discs[i].velocity = v; }
 
     Disc<Real> disc(std::size_t i) const {
-        return {m_masses[i], m_discs[i].radius, m_discs[i].position, m_discs[i].velocity};
+        return {m_discs[i].mass, m_discs[i].radius, m_discs[i].position, m_discs[i].velocity};
     }
 
     bool allAtRest() const {
@@ -73,7 +68,6 @@ public:
 
 private:
     std::vector<PackedDisc<Real>> m_discs;
-    std::vector<Real> m_masses;
 };
 
 } // namespace thetalane

@@ -46,6 +46,7 @@ public:
                 m_places[i].canFly = scene.bodies[i].kind == BodyKind::Pin;
     }
 
+    const Walls<Real>& walls() const { return m_walls; }
     const LaneEdges<Real>& lane() const { return m_lane; }
     Place place(std::size_t i) const { return hasLane ? m_places[i].place : Place::Play; }
     LanePlace& placeOf(std::size_t i) { return m_places[i]; } // of a scene with a lane

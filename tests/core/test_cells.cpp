@@ -1,5 +1,6 @@
 // The search by cells against the search by all pairs: the same collisions, in the same order, at the same
 // instants, until chaos has made the rounding visible. What the cells are for is in test_crowds.
+#include "core/engine/cells.h"
 #include "core/engine/engines.h"
 #include "core/scene/builtin.h"
 #include "core/scene/crowd_scenes.h"
@@ -93,6 +94,119 @@ Comparison compare(const Timeline& all, const Timeline& cells) {
     c.untilTheEnd = a.size() == b.size() && all.endReason() == cells.endReason();
     c.onlyRounding = c.untilTheEnd;
     return c;
+}
+
+using Around = Surroundings<double, true, false>;
+constexpr int nobody = -1;
+
+// A contact to come: of two bodies, or of one with a wall.
+struct ToCome {
+    double time;
+    int first, second;
+    Side side;
+
+    bool isThat(const ToCome& c) const {
+        if (second == nobody || c.second == nobody)
+            return first == c.first && second == c.second && side == c.side;
+        return std::minmax(first, second) == std::minmax(c.first, c.second);
+    }
+};
+
+std::vector<ToCome> allToCome(const PackedDiscs<double>& discs, const Around& around, double now) {
+    std::vector<ToCome> all;
+    for (int i = 0; i < int(discs.count()); ++i) {
+        const auto& a = discs[std::size_t(i)];
+        const Vec2d p = a.positionAt(now);
+        for (int j = 0; j < i; ++j) {
+            const auto& b = discs[std::size_t(j)];
+            const double in =
+                timeToImpact(p - b.positionAt(now), a.velocity - b.velocity, a.radius + b.radius,
+                             dot(a.velocity, a.velocity) + dot(b.velocity, b.velocity));
+            if (in < std::numeric_limits<double>::infinity())
+                all.push_back({now + in, i, j, Side::Left});
+        }
+        for (const Side side : sides) {
+            const auto w = approachTo(side, around.walls().at[int(side)], p, a.velocity, a.radius);
+            if (w.speed > 0 && w.gap < std::numeric_limits<double>::infinity())
+                all.push_back({now + std::max(0.0, w.gap / w.speed), i, nobody, side});
+        }
+    }
+    return all;
+}
+
+// Discs about a point, each with its images under what leaves the cross of x and y as it is, and a copy of
+// all at another place, where the same times are rounded otherwise.
+Scene symmetricScene(Random& random, int count, Vec2d copyAt) {
+    Scene scene;
+    std::vector<Vec2d> points, velocities;
+    while (int(points.size()) < count) {
+        const Vec2d p{random.in(0.15, 1.8), random.in(0, 1.7)};
+        bool free = p.x - p.y > 0.15 && p.y > 0.11;
+        for (const Vec2d q : points)
+            free = free && norm(p - q) > 0.21;
+        if (!free)
+            continue;
+        points.push_back(p);
+        const double slow = random.below(3) ? 1 : 0;
+        velocities.push_back({slow * random.in(-1, 1), slow * random.in(-1, 1)});
+    }
+    const auto image = [](Vec2d v, int k) {
+        v = {k & 1 ? -v.x : v.x, k & 2 ? -v.y : v.y};
+        return k & 4 ? Vec2d{v.y, v.x} : v;
+    };
+    for (const Vec2d at : {Vec2d{}, copyAt})
+        for (int k = 0; k < 8; ++k)
+            for (std::size_t i = 0; i < points.size(); ++i)
+                scene.bodies.push_back(disc(int(scene.bodies.size()), 1, 0.1, at + image(points[i], k),
+                                            image(velocities[i], k)));
+    scene.frame = Frame{-2.0, 2.0 + copyAt.x, -2.0, 2.0 + copyAt.y, 1};
+    return scene;
+}
+
+struct TieCount {
+    int events = 0, ties = 0, missed = 0, needless = 0;
+};
+
+// Runs a scene a contact at a time and looks at every other contact to come.
+TieCount countTies(const Scene& scene, int events) {
+    const Around around(scene);
+    Cells<double> cells(scene);
+    auto& discs = cells.discs();
+    cells.start(around);
+    double now = 0;
+    TieCount count;
+    for (; count.events < events; ++count.events) {
+        const auto [body, event, tied] = cells.earliest(around);
+        if (event.kind == EventKind::None)
+            break;
+        const bool pair = event.kind == EventKind::Pair;
+        const ToCome first{event.time, int(body), pair ? int(event.partner) : nobody,
+                           pair ? Side::Left : Side(event.detail)};
+        const double window = 65536 * std::numeric_limits<double>::epsilon() * event.time;
+        bool surely = false, perhaps = false;
+        for (const ToCome& c : allToCome(discs, around, now)) {
+            surely = surely || (!c.isThat(first) && c.time <= event.time + window / 2);
+            perhaps = perhaps || (!c.isThat(first) && c.time <= event.time + 2 * window + 1e-15);
+        }
+        count.ties += surely;
+        count.missed += surely && !tied;
+        count.needless += tied && !perhaps;
+        now = event.time;
+        std::vector<std::size_t> changed{body};
+        discs.moveTo(body, now);
+        if (pair) {
+            changed.push_back(event.partner);
+            discs.moveTo(event.partner, now);
+            const auto steps = collide(discs.disc(body), discs.disc(event.partner), scene.restitution);
+            discs.setVelocity(body, steps.after.first);
+            discs.setVelocity(event.partner, steps.after.second);
+        } else {
+            const auto steps = collideWithSide(discs.disc(body), first.side, around.walls().restitution);
+            discs.setVelocity(body, steps.after.first);
+        }
+        cells.changedCourse(around, changed, now);
+    }
+    return count;
 }
 
 } // namespace
@@ -218,6 +332,92 @@ private slots:
             qInfo("%s: %lld of %lld", b.id.data(), static_cast<long long>(c.same),
                   static_cast<long long>(pairs.collisionCount()));
             QVERIFY2(c.same >= std::min<std::int64_t>(pairs.collisionCount(), 20), b.id.data());
+        }
+    }
+
+    // Contacts at the same instant are said to be, also those far from each other.
+    void tiesAreReported_data() {
+        QTest::addColumn<int>("discs");
+        QTest::addColumn<double>("copyAt");
+        QTest::newRow("eight images, and a copy near by") << 4 << 4.0;
+        QTest::newRow("a copy at a place that is rounded otherwise") << 3 << 7.1;
+        QTest::newRow("a copy far away") << 2 << 1234.567;
+    }
+    void tiesAreReported() {
+        QFETCH(int, discs);
+        QFETCH(double, copyAt);
+        Random random(std::uint64_t(discs) + 71);
+        TieCount all;
+        for (int k = 0; k < 30; ++k) {
+            const TieCount c = countTies(symmetricScene(random, discs, {copyAt, 0.3 * copyAt}), 120);
+            all.events += c.events;
+            all.ties += c.ties;
+            all.missed += c.missed;
+            all.needless += c.needless;
+        }
+        qInfo("%d events, %d ties, %d missed, %d reported needlessly", all.events, all.ties, all.missed,
+              all.needless);
+        QCOMPARE(all.missed, 0);
+        QVERIFY(all.ties > all.events / 3);
+        QVERIFY(all.needless <= all.events / 100);
+    }
+
+    void tiesAreRareByChance() {
+        Random random(73);
+        TieCount all;
+        for (int k = 0; k < 40; ++k) {
+            const TieCount c = countTies(mixedScene(random, {6, 60, 1, 2, true, false}), 200);
+            all.events += c.events;
+            all.ties += c.ties;
+            all.missed += c.missed;
+            all.needless += c.needless;
+        }
+        qInfo("%d events, %d ties, %d missed, %d reported needlessly", all.events, all.ties, all.missed,
+              all.needless);
+        QVERIFY(all.events > 4000);
+        QCOMPARE(all.missed, 0);
+        QVERIFY(all.ties + all.needless < all.events / 500);
+    }
+
+    // A lattice that rests touching itself and is struck; a disc in a corner; all that is touched at once.
+    void latticesAndCornersTie() {
+        Scene corner;
+        corner.frame = Frame{-1.0, 1.0, -1.0, 1.0, 1};
+        corner.bodies = {disc(1, 1, 0.1, {0.2, 0.2}, {1, 1})};
+        TieCount c = countTies(corner, 8);
+        QCOMPARE(c.missed, 0);
+        QVERIFY(c.ties >= 4); // each time the first of the two walls
+        Scene lattice;
+        lattice.frame = Frame{-4.0, 4.0, -4.0, 4.0, 1};
+        for (int k = 0; k < 100; ++k)
+            lattice.bodies.push_back(disc(k, 1, 0.125, {-1.0 + 0.25 * (k % 10), -1.0 + 0.25 * (k / 10)}, {}));
+        lattice.bodies.push_back(disc(100, 1, 0.125, {-0.625, -2}, {0, 1})); // between two of them
+        lattice.bodies.push_back(disc(101, 1, 0.125, {2, 0.25}, {-1, 0}));
+        c = countTies(lattice, 200);
+        qInfo("lattice: %d events, %d ties, %d missed, %d needless", c.events, c.ties, c.missed, c.needless);
+        QCOMPARE(c.missed, 0);
+        QVERIFY(c.ties > 20);
+    }
+
+    void everyoneNearIsFound() {
+        Random random(79);
+        for (int k = 0; k < 40; ++k) {
+            const Scene scene = mixedScene(random, {6, 60, 1, 5, true, false});
+            const Around around(scene);
+            Cells<double> cells(scene);
+            cells.start(around);
+            for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+                std::vector<std::size_t> near;
+                cells.forEachNear(i, 0.0, [&near](std::size_t j) { near.push_back(j); });
+                std::sort(near.begin(), near.end());
+                QVERIFY(std::adjacent_find(near.begin(), near.end()) == near.end());
+                QVERIFY(!std::binary_search(near.begin(), near.end(), i));
+                for (std::size_t j = 0; j < scene.bodies.size(); ++j) {
+                    const Body &a = scene.bodies[i], &b = scene.bodies[j];
+                    if (j != i && norm(a.position - b.position) <= 1.000001 * (a.radius + b.radius))
+                        QVERIFY(std::binary_search(near.begin(), near.end(), j));
+                }
+            }
         }
     }
 

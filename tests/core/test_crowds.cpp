@@ -145,6 +145,20 @@ private slots:
         QVERIFY(std::abs(totals(scene, timeline.stateAt(timeline.endTime())).energy / 50'000 - 1) < 1e-12);
     }
 
+    // Two thousand pairs that meet at the same instant, over and over: no event has to look at all others.
+    void aLatticeOfTiesRuns() {
+        Scene scene;
+        scene.frame = Frame{-0.02, 1.28, -0.02, 1.28, 1};
+        for (int k = 0; k < 4096; ++k)
+            scene.bodies.push_back(
+                disc(k, 1, 0.005, {0.02 * (k % 64), 0.02 * (k / 64)}, {k % 2 ? -1.0 : 1.0, 0}));
+        const Timeline timeline = summaryOf(scene, 100'000);
+        const auto end = timeline.stateAt(timeline.endTime());
+        QCOMPARE(timeline.collisionCount(), std::int64_t(100'000));
+        QVERIFY(std::abs(totals(scene, end).energy / 2048 - 1) < 1e-12);
+        QVERIFY(deepestOverlap(scene, end) < 1e-13);
+    }
+
     // Times count anew now and then: long after the start, discs still touch as exactly as at first.
     void lateCollisionsAreAsExact() {
         const Scene scene = gasScene(64);
