@@ -152,8 +152,9 @@ private:
         return false;
     }
 
-    // By how much each gap would open: the acceleration now; what closes a gap that has drifted by the end of
-    // the hold; and, where the turning slows (w b < 0), what keeps the gap from closing as it does.
+    // By how much each gap would open: the acceleration now; what brings a gap that has drifted back to
+    // nothing by the end of the hold; and, where the turning slows (w b < 0), what keeps the gap from closing
+    // as it does.
     std::vector<GroupContact<Real>> demands(const Touches& touches, const Velocities& v) const {
         std::vector<GroupContact<Real>> contacts;
         for (const Index k : m_pressed) {
@@ -165,8 +166,7 @@ private:
                     t.contact.Z - m_discs.radiusOf(t.name.first) - m_discs.radiusOf(t.name.second);
                 const Real slowing =
                     across(t, v) * cross(t.normal(), relativeFriction(t, v) + between(t, m_pushes, {}));
-                if (drift > Real(0))
-                    demand += 2 * drift / (m_holdsFor * m_holdsFor);
+                demand += 2 * drift / (m_holdsFor * m_holdsFor);
                 if (slowing < Real(0))
                     demand += slowing * m_holdsFor / t.contact.Z;
             }

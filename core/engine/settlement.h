@@ -54,10 +54,23 @@ public:
         }
     }
 
+    // Slower bodies are held by the floor; whoever still comes upon them is stopped by them, without bounce.
     void stopBelow(const Real& speed) {
-        for (Vec2<Real>& v : m_velocities)
-            if (norm(v) < speed)
-                v = {};
+        bool stopped = false;
+        std::vector<Real> inverseMass;
+        for (Index b = 0; b < m_velocities.size(); ++b) {
+            const bool stops = norm(m_velocities[b]) < speed;
+            stopped |= stops;
+            inverseMass.push_back(stops ? Real(0) : Real(1 / m_search.discs().massOf(m_cluster.bodies()[b])));
+            if (stops)
+                m_velocities[b] = {};
+        }
+        if (!stopped || !planApproaching())
+            return;
+        planAll();
+        const auto solution = solveForces<Real>(plannedContacts(), inverseMass);
+        for (Index b = 0; b < m_velocities.size(); ++b)
+            m_velocities[b] = m_velocities[b] + solution.change[b];
     }
 
     static constexpr int passesPerBody = 32;
@@ -107,10 +120,7 @@ private:
                std::all_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution == Real(0); });
     }
 
-    // The plan's impulses, and m_after.
-    void apply() {
-        if (m_plan.size() == 1)
-            return applyAlone();
+    std::vector<GroupContact<Real>> plannedContacts() const {
         std::vector<GroupContact<Real>> contacts;
         for (const Planned& p : m_plan) {
             const Touch<Real>& t = m_cluster.touches()[p.touch];
@@ -118,10 +128,27 @@ private:
             contacts.push_back(
                 {t.first, t.name.isWall() ? GroupContact<Real>::wall : t.second, t.normal(), demand});
         }
+        return contacts;
+    }
+
+    // All contacts, without bounce.
+    void planAll() {
+        m_plan.clear();
+        const auto& touches = m_cluster.touches();
+        for (Index k = 0; k < touches.size(); ++k)
+            m_plan.push_back({.touch = k, .opening = opening(touches[k])});
+    }
+
+    // The plan's impulses, and m_after.
+    void apply() {
+        if (m_plan.size() == 1)
+            return applyAlone();
         std::vector<Real> inverseMass;
         for (const Index b : m_cluster.bodies())
             inverseMass.push_back(1 / m_search.discs().massOf(b));
-        const auto solution = solveContacts<Real>(contacts, inverseMass);
+        // With friction there are many, and what is symmetric need not be so to the last bit.
+        const auto solution = Models::friction ? solveForces<Real>(plannedContacts(), inverseMass)
+                                               : solveContacts<Real>(plannedContacts(), inverseMass);
         for (Index k = 0; k < m_plan.size(); ++k)
             m_plan[k].impulse = solution.impulse[k];
         m_after = m_velocities;
@@ -157,10 +184,8 @@ private:
     }
 
     template <class SlowestRebound> void closeAll(double time, SlowestRebound&& slowestRebound) {
-        m_plan.clear();
         const auto& touches = m_cluster.touches();
-        for (Index k = 0; k < touches.size(); ++k)
-            m_plan.push_back({.touch = k, .opening = opening(touches[k])});
+        planAll();
         apply();
         for (Planned& p : m_plan) {
             const Real slowest = slowestRebound(touches[p.touch], m_after);

@@ -96,7 +96,7 @@ Comparison compare(const Timeline& all, const Timeline& cells) {
     return c;
 }
 
-using Around = Surroundings<double, true, false>;
+using Around = Surroundings<double, Models<true, false, false>>;
 constexpr int nobody = -1;
 
 // A contact to come: of two bodies, or of one with a wall.
@@ -170,7 +170,7 @@ struct TieCount {
 // Runs a scene a contact at a time and looks at every other contact to come.
 TieCount countTies(const Scene& scene, int events) {
     const Around around(scene);
-    Cells<double> cells(scene);
+    Cells<double, false> cells(scene);
     auto& discs = cells.discs();
     cells.start(around);
     double now = 0;
@@ -404,7 +404,7 @@ private slots:
         for (int k = 0; k < 40; ++k) {
             const Scene scene = mixedScene(random, {6, 60, 1, 5, true, false});
             const Around around(scene);
-            Cells<double> cells(scene);
+            Cells<double, false> cells(scene);
             cells.start(around);
             for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
                 std::vector<std::size_t> near;
