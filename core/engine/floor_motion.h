@@ -76,9 +76,9 @@ public:
             b.state = onFloor<Real>(p, v, b.state.spin, b.body, floorOf(i));
             b.stretch = nextStretch<Real>(b.state, b.body, floorOf(i));
         }
-        b.push = push;
-        if (!(push == Vec2<Real>{}))
-            limit(b, floorOf(i), push, atMost);
+        b.push = withoutRounding(push);
+        if (!(b.push == Vec2<Real>{}))
+            limit(b, floorOf(i), b.push, atMost);
         discs.setAcceleration(i, b.stretch.acceleration, now + b.stretch.lasts);
     }
 
@@ -143,6 +143,13 @@ private:
 
     const Floor<Real>& floorOf(std::size_t i) const {
         return m_bodies[i].body.rolls() ? m_ballFloor : m_pinFloor;
+    }
+
+    // Forces that balance leave rounding, which must not press a body anywhere.
+    Vec2<Real> withoutRounding(const Vec2<Real>& push) const {
+        using std::abs;
+        const Real least = stopped * m_ballFloor.gravity;
+        return {abs(push.x) > least ? push.x : Real(0), abs(push.y) > least ? push.y : Real(0)};
     }
 
     // Under a push the phase's closed form holds for a short while only, and no longer than until the body

@@ -119,6 +119,9 @@ private:
                 m_floor.calm(bodies[k], m_settlement.velocities()[k], still);
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
+            if (isStuck())
+                for (const auto& touch : m_settlement.touches())
+                    m_around.held().hold(touch.name, absolute(m_now));
             for (Index k = 0; k < bodies.size(); ++k)
                 goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
         } else {
@@ -138,6 +141,13 @@ private:
         const bool again = m_now - m_lastContact <= tieWindow<Real>(m_now);
         m_lastContact = m_now;
         return again;
+    }
+
+    // Events without end at one instant, which only rounding can make: what touches is then held as it is.
+    bool isStuck() {
+        m_eventsNow = m_now == m_stuckAt ? m_eventsNow + 1 : 0;
+        m_stuckAt = m_now;
+        return m_eventsNow > 64 * discs().count();
     }
 
     void moveTo(Index i) {
@@ -268,6 +278,8 @@ private:
     Recorder m_recorder;
     Settlement<Real, Models, Search> m_settlement;
     Real m_lastContact{-1};
+    Real m_stuckAt{-1};
+    std::size_t m_eventsNow = 0;
 };
 
 } // namespace thetalane
