@@ -57,13 +57,11 @@ public:
             join(event.second);
         for (Index k = 0; k < m_bodies.size(); ++k) {
             const Index a = m_bodies[k];
-            if (!m_around.inPlay(a))
-                continue;
             if constexpr (Models::friction) // they share a push, whether or not they touch still
                 for (const Index b : m_around.partnersOf(a))
                     join(b);
             m_search.forEachNear(a, now, [&](Index b) {
-                if (!m_around.inPlay(b) || (m_place[b] != absent && m_place[b] < k))
+                if (!m_around.inPlay(a) || !m_around.inPlay(b) || (m_place[b] != absent && m_place[b] < k))
                     return; // those before k have met all theirs
                 if (touches(a, b, now))
                     addPair(k, join(b));

@@ -165,7 +165,7 @@ void applyLaneEvent(LaneEvent event, const LaneEdges<Real>& lane, const Vec2<Rea
         if (where.canFly && where.flying == 0 && !(p.y < lane.kickbacksFrom))
             where.flying = v.x > Real(0) ? 1 : -1;
         else
-            where.place = Place::Gutter;
+            where = {Place::Gutter};
         break;
     case LaneEvent::Landing:
         where.flying = 0;
@@ -174,7 +174,7 @@ void applyLaneEvent(LaneEvent event, const LaneEdges<Real>& lane, const Vec2<Rea
         v.x = Real(0);
         break;
     case LaneEvent::OverEnd:
-        where.place = Place::Pit;
+        where = {Place::Pit};
         v.x = Real(0);
         break;
     case LaneEvent::PitBack:

@@ -210,7 +210,7 @@ private:
     }
 
     void leavePlay(Index i, Place place) {
-        m_around.placeOf(i).place = place;
+        m_around.placeOf(i) = {place};
         m_recorder.departure({absolute(m_now), int(i), place});
     }
 
