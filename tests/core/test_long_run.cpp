@@ -73,10 +73,6 @@ bool sameSegments(const Chapter& chapter, const Timeline& whole) {
             ++k;
         if (k + own.size() > all.size())
             return false;
-        // The same stretch may be written down more than once, where an instant has many passes.
-        while (k + own.size() < all.size() && own.size() > 1 && !same(all[k + 1], own[1]) &&
-               same(all[k + 1], own[0]))
-            ++k;
         for (std::size_t j = 0; j < own.size(); ++j)
             if (!same(own[j], all[k + j]) || (!turns.empty() && !same(turns[j], allTurns[k + j])))
                 return false;
