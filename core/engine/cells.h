@@ -30,19 +30,39 @@ public:
         : m_discs(scene.bodies)
         , m_frame(scene.frame.value_or(Frame{}))
         , m_slots(m_discs.count())
-        , m_queue(m_slots, m_discs.count() > manyDiscs ? 6 : 1)
-        , m_near(m_discs.count() + 2 + Nearby<Real>::atOnce)
-        , m_at(m_near.size()) {
+        , m_queue(m_slots, known(m_discs.count())) {
         for (Index i = 0; i < m_discs.count(); ++i)
             m_reach = std::max(m_reach, Real(2 * m_discs[i].radius));
         m_fetches = m_discs.count() > manyDiscs;
         m_open = !(m_frame.left && m_frame.right && m_frame.bottom && m_frame.top);
     }
 
+    // A copy, for a snapshot: without what is found again from the rest. resume() makes it a search.
+    Cells(const Cells& other)
+        : m_discs(other.m_discs)
+        , m_frame(other.m_frame)
+        , m_open(other.m_open)
+        , m_reach(other.m_reach)
+        , m_slots(other.m_slots)
+        , m_grid(other.m_grid)
+        , m_queue(m_slots, known(m_slots.size()))
+        , m_lastShift(other.m_lastShift)
+        , m_fetches(other.m_fetches)
+        , m_events(other.m_events)
+        , m_outside(other.m_outside) {}
+    Cells& operator=(const Cells&) = delete;
+    void resume() {
+        makeRoom();
+        m_queue.build();
+    }
+
     PackedDiscs<Real>& discs() { return m_discs; }
     const PackedDiscs<Real>& discs() const { return m_discs; }
 
-    template <class Around> void start(const Around& around) { layOut(around, Real(0)); }
+    template <class Around> void start(const Around& around) {
+        makeRoom();
+        layOut(around, Real(0));
+    }
 
     // Crossings and collisions that have become void are dealt with on the way, also after the end of the
     // run: whether anything more will happen is known only then. In open space that is soon.
@@ -151,6 +171,12 @@ private:
         }
     }
     static constexpr std::size_t manyDiscs = 5000;
+    // How many events the calendar knows ahead.
+    static std::size_t known(std::size_t discs) { return discs > manyDiscs ? 6 : 1; }
+    void makeRoom() {
+        m_near.resize(m_discs.count() + 2 + Nearby<Real>::atOnce);
+        m_at.resize(m_near.size());
+    }
     static void prefetch(const void* p) { __builtin_prefetch(p); }
 
     // If what disc i comes to until `end` is void or a mere crossing, it is dealt with.

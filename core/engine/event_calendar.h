@@ -28,18 +28,14 @@ public:
     EventCalendar(const std::vector<Slot>& slots, std::size_t known)
         : m_slots(slots.data())
         , m_count(Id(slots.size()))
-        , m_known(known) {
-        std::size_t days = 16;
-        while (days * eventsADay < 2 * m_count)
-            days *= 2;
-        m_wheel.resize(days);
-        m_counts.resize(days);
-        m_crowdOf.resize(days);
-        m_today.reserve(mostSorted);
-    }
+        , m_known(known) {}
+    EventCalendar(const EventCalendar&) = delete; // the slots of a copy are others
+    EventCalendar& operator=(const EventCalendar&) = delete;
 
     // From what the slots say.
     void build() {
+        if (m_wheel.empty())
+            makeWheel();
         m_from = never;
         for (Id i = 0; i < m_count; ++i)
             m_from = std::min(m_from, m_slots[i].time());
@@ -113,6 +109,16 @@ private:
         Day day;
         Id next; // of the same day; 0: no more
     };
+
+    void makeWheel() {
+        std::size_t days = 16;
+        while (days * eventsADay < 2 * m_count)
+            days *= 2;
+        m_wheel.resize(days);
+        m_counts.resize(days);
+        m_crowdOf.resize(days);
+        m_today.reserve(mostSorted);
+    }
 
     bool counts(const Entry& e) const { return m_slots[e.id].time() == e.time; }
     bool anyLeft() const { return m_listed > 0 || !m_later.empty(); }

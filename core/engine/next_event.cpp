@@ -1,5 +1,6 @@
 #include "core/engine/all_pairs.h"
 #include "core/engine/cells.h"
+#include "core/engine/engine_in_steps.h"
 #include "core/engine/engines.h"
 #include "core/engine/next_event_engine.h"
 
@@ -13,47 +14,63 @@ namespace {
 // pairs.
 constexpr std::size_t fewestForCells = 20;
 
-template <class Real, template <class, bool> class Search>
-Timeline runWithModels(const Scene& scene, const EngineSettings& settings) {
+// `use` is called with the engine type that the scene needs.
+template <class Real, template <class, bool> class Search, class Use>
+auto withModels(const Scene& scene, Use&& use) {
     const Requirements needs = requirementsOf(scene);
     if (needs.frame && needs.lane)
-        return NextEventEngine<Real, Models<true, true, false>, Search>(scene, settings).run();
+        return use.template operator()<NextEventEngine<Real, Models<true, true, false>, Search>>();
     if (needs.frame)
-        return NextEventEngine<Real, Models<true, false, false>, Search>(scene, settings).run();
+        return use.template operator()<NextEventEngine<Real, Models<true, false, false>, Search>>();
     if (needs.lane)
-        return NextEventEngine<Real, Models<false, true, false>, Search>(scene, settings).run();
-    return NextEventEngine<Real, Models<false, false, false>, Search>(scene, settings).run();
+        return use.template operator()<NextEventEngine<Real, Models<false, true, false>, Search>>();
+    return use.template operator()<NextEventEngine<Real, Models<false, false, false>, Search>>();
 }
 
-template <class Real> Timeline runOnFloor(const Scene& scene, const EngineSettings& settings) {
-    const Requirements needs = requirementsOf(scene);
-    if (needs.frame)
-        return NextEventEngine<Real, Models<true, true, true>, AllPairs>(scene, settings).run();
-    return NextEventEngine<Real, Models<false, true, true>, AllPairs>(scene, settings).run();
+template <class Real, class Use> auto onFloor(const Scene& scene, Use&& use) {
+    if (requirementsOf(scene).frame)
+        return use.template operator()<NextEventEngine<Real, Models<true, true, true>, AllPairs>>();
+    return use.template operator()<NextEventEngine<Real, Models<false, true, true>, AllPairs>>();
 }
 
-template <class Real>
-Timeline runWithSearch(const Scene& scene, const EngineSettings& settings, SearchKind search) {
+template <class Real, class Use> auto withSearch(const Scene& scene, SearchKind search, Use&& use) {
     if (requirementsOf(scene).friction)
-        return runOnFloor<Real>(scene, settings);
-    return search == SearchKind::Cells ? runWithModels<Real, Cells>(scene, settings)
-                                       : runWithModels<Real, AllPairs>(scene, settings);
+        return onFloor<Real>(scene, use);
+    if (search == SearchKind::ByCount)
+        search = scene.bodies.size() < fewestForCells ? SearchKind::AllPairs : SearchKind::Cells;
+    return search == SearchKind::Cells ? withModels<Real, Cells>(scene, use)
+                                       : withModels<Real, AllPairs>(scene, use);
 }
 
 } // namespace
 
 Timeline runNextEvent(const Scene& scene, const EngineSettings& settings, SearchKind search) {
-    if (search == SearchKind::ByCount)
-        search = scene.bodies.size() < fewestForCells ? SearchKind::AllPairs : SearchKind::Cells;
+    const auto run = [&]<class Engine>() { return Engine(scene, settings).run(); };
     switch (settings.precision) {
     case Precision::Float:
-        return runWithSearch<float>(scene, settings, search);
+        return withSearch<float>(scene, search, run);
     case Precision::Double:
-        return runWithSearch<double>(scene, settings, search);
+        return withSearch<double>(scene, search, run);
     case Precision::Quad:
         break;
     }
     return runNextEventQuad(scene, settings);
+}
+
+std::unique_ptr<EngineInSteps> startNextEvent(const Scene& scene, const EngineSettings& settings,
+                                              SearchKind search) {
+    const auto start = [&]<class Engine>() -> std::unique_ptr<EngineInSteps> {
+        return std::make_unique<NextEventInSteps<Engine>>(scene, settings);
+    };
+    switch (settings.precision) {
+    case Precision::Float:
+        return withSearch<float>(scene, search, start);
+    case Precision::Double:
+        return withSearch<double>(scene, search, start);
+    case Precision::Quad:
+        break;
+    }
+    return startNextEventQuad(scene, settings);
 }
 
 } // namespace thetalane

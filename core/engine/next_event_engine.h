@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/engine/engine.h"
+#include "core/engine/engine_state.h"
 #include "core/engine/first_event.h"
 #include "core/engine/settlement.h"
 
@@ -15,17 +16,24 @@
 
 namespace thetalane {
 
-template <class Real, class Models, template <class, bool> class SearchFor> class NextEventEngine {
+template <class Real, class Models, template <class, bool> class SearchFor>
+class NextEventEngine : private EngineState<Real, Models, SearchFor<Real, Models::friction>> {
 public:
     using Search = SearchFor<Real, Models::friction>;
+    using State = EngineState<Real, Models, Search>;
 
     NextEventEngine(const Scene& scene, const EngineSettings& settings)
-        : m_restitution(scene.restitution)
+        : State(scene, settings.until)
+        , m_restitution(scene.restitution)
         , m_settings(settings)
-        , m_until(settings.until)
-        , m_around(scene)
-        , m_search(scene)
-        , m_floor(scene)
+        , m_recorder(scene.bodies.size(), settings.keepDetail)
+        , m_settlement(scene, m_search, m_around, m_recorder) {}
+
+    // To go on from where another engine of the same scene and settings was; settings.keepDetail may differ.
+    NextEventEngine(const Scene& scene, const EngineSettings& settings, const State& state)
+        : State(state)
+        , m_restitution(scene.restitution)
+        , m_settings(settings)
         , m_recorder(scene.bodies.size(), settings.keepDetail)
         , m_settlement(scene, m_search, m_around, m_recorder) {}
 
@@ -34,30 +42,71 @@ public:
     NextEventEngine& operator=(const NextEventEngine&) = delete;
 
     Timeline run() {
+        begin();
+        return finish(
+            goOn([this](const Real&) { return m_recorder.collisionCount() >= m_settings.maxCollisions; }));
+    }
+
+    // The same in steps. First begin(), or resume() in an engine made from a state; then goOn(), which ends
+    // with MaxCollisions when `full(time)` says so before a contact at that time; finish().
+    void begin() {
         if constexpr (Models::friction)
             for (Index i = 0; i < discs().count(); ++i)
                 m_floor.begin(discs(), i, Real(0), true, {}, Real(0));
         if (m_recorder.keepsDetail())
             recordAll();
         m_search.start(m_around);
+    }
+    void resume() {
+        if constexpr (requires(Search & search) { search.resume(); })
+            m_search.resume();
+        if (m_recorder.keepsDetail())
+            recordAll();
+    }
+    template <class Full> EndReason goOn(Full&& full) {
         for (;;) {
             const FirstEvent<Real> first = m_search.earliest(m_around);
             if (first.event.kind == EventKind::None)
-                return finish(discs().allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions);
+                return discs().allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions;
             if (first.event.time > m_until)
-                return finish(EndReason::Until);
-            if (isContact(first.event.kind) && m_recorder.collisionCount() >= m_settings.maxCollisions)
-                return finish(EndReason::MaxCollisions);
+                return EndReason::Until;
+            if (isContact(first.event.kind) && full(first.event.time))
+                return EndReason::MaxCollisions;
             m_now = first.event.time;
             happen(first);
             if constexpr (Search::rebasesTime)
                 rebaseTime();
         }
     }
+    Timeline finish(EndReason reason) {
+        const bool toTheEnd = reason == EndReason::Until || reason == EndReason::NoMoreCollisions;
+        return finish(reason, toTheEnd ? static_cast<double>(Real(m_settings.until)) : absolute(m_now));
+    }
+    Timeline finish(EndReason reason, double end) {
+        if (!m_recorder.keepsDetail())
+            recordAll();
+        if constexpr (Models::friction)
+            m_around.held().release([](const ContactName&) { return true; }, end, m_recorder);
+        return m_recorder.finish(end, reason);
+    }
+
+    const State& state() const { return *this; }
+    double now() const { return absolute(m_now); } // s
+    double absolute(const Real& time) const { return static_cast<double>(Real(m_epoch + time)); }
+    std::int64_t collisionCount() const { return m_recorder.collisionCount(); } // since it began or resumed
 
 private:
     using Index = std::size_t;
     static constexpr Index nobody = Search::nobody;
+    using State::m_around;
+    using State::m_epoch;
+    using State::m_events;
+    using State::m_floor;
+    using State::m_lastContact;
+    using State::m_now;
+    using State::m_search;
+    using State::m_started;
+    using State::m_until;
 
     auto& discs() { return m_search.discs(); }
 
@@ -225,7 +274,7 @@ private:
 
     // A summary keeps the last segments alone: those are what the discs know at the end.
     void record(Index i) {
-        const Segment segment{absolute(discs().since(i)), convert<double>(discs().position(i)),
+        const Segment segment{startOf(i), convert<double>(discs().position(i)),
                               convert<double>(discs().velocity(i)), convert<double>(discs().acceleration(i)),
                               m_around.place(i)};
         if constexpr (Models::friction)
@@ -247,39 +296,31 @@ private:
             return;
         m_events = 0;
         const Real shift = Real(static_cast<float>(m_now) * 0.999f);
+        std::vector<double> starts(discs().count());
+        for (Index i = 0; i < starts.size(); ++i)
+            starts[i] = startOf(i);
         m_epoch = m_epoch + shift;
         m_now = m_now - shift;
         m_until = m_until - shift;
         m_lastContact = m_lastContact - shift;
         m_search.shiftTime(shift);
+        m_started.resize(starts.size());
+        for (Index i = 0; i < starts.size(); ++i)
+            m_started[i] = {discs().since(i), starts[i]};
     }
 
-    double absolute(const Real& time) const { return static_cast<double>(Real(m_epoch + time)); }
-
-    Timeline finish(EndReason reason) {
-        if (!m_recorder.keepsDetail())
-            recordAll();
-        const bool toTheEnd = reason == EndReason::Until || reason == EndReason::NoMoreCollisions;
-        const double end = toTheEnd ? static_cast<double>(Real(m_settings.until)) : absolute(m_now);
-        if constexpr (Models::friction)
-            m_around.held().release([](const ContactName&) { return true; }, end, m_recorder);
-        return m_recorder.finish(end, reason);
+    // When body i's present stretch of motion began: as it was recorded then, whatever was shifted since.
+    double startOf(Index i) const {
+        if constexpr (Search::rebasesTime)
+            if (!m_started.empty() && m_started[i].since == m_search.discs().since(i))
+                return m_started[i].absolute;
+        return absolute(m_search.discs().since(i));
     }
 
     Real m_restitution;
     EngineSettings m_settings;
-    Real m_epoch{0};
-    Real m_now{0};
-    Real m_until;
-    std::size_t m_events = 0;
-    Surroundings<Real, Models> m_around;
-    Search m_search;
-    FloorMotion<Real> m_floor;
     Recorder m_recorder;
     Settlement<Real, Models, Search> m_settlement;
-    Real m_lastContact{-1};
-    Real m_stuckAt{-1};
-    std::size_t m_eventsNow = 0;
 };
 
 } // namespace thetalane

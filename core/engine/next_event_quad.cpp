@@ -1,5 +1,5 @@
 #include "core/engine/all_pairs.h"
-#include "core/engine/engines.h"
+#include "core/engine/engine_in_steps.h"
 #include "core/engine/next_event_engine.h"
 #include "core/math/quad.h"
 
@@ -10,6 +10,14 @@ Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings) {
     if (requirementsOf(scene).friction)
         return NextEventEngine<Quad, Models<true, true, true>, AllPairs>(scene, settings).run();
     return NextEventEngine<Quad, Models<true, true, false>, AllPairs>(scene, settings).run();
+}
+
+std::unique_ptr<EngineInSteps> startNextEventQuad(const Scene& scene, const EngineSettings& settings) {
+    if (requirementsOf(scene).friction)
+        return std::make_unique<NextEventInSteps<NextEventEngine<Quad, Models<true, true, true>, AllPairs>>>(
+            scene, settings);
+    return std::make_unique<NextEventInSteps<NextEventEngine<Quad, Models<true, true, false>, AllPairs>>>(
+        scene, settings);
 }
 
 } // namespace thetalane

@@ -10,6 +10,7 @@ void elevenTable(bool quick);
 void gasTables(bool quick);
 void searchTable(bool quick); // from how many bodies on the cells are cheaper than all pairs
 void microTable(bool quick);
-void longTable(bool quick); // ten million collisions
+void longTable(bool quick);    // ten million collisions
+void longRunTable(bool quick); // ten minutes of gas-1000 in bounded memory
 
 } // namespace thetalane::benchmarks
