@@ -48,7 +48,7 @@ void longRun(Results& out, ExtremeCase kase, const Scene& scene, std::int64_t co
     add(ExtremeMeasure::MomentumDrift, 0, moved, moved, 1e-13);
 }
 
-// Five discs in a box: dilute enough that 40 collisions leave digits.
+// Three discs in a box: dilute enough that 40 collisions leave digits.
 Scene fewInABox() {
     Scene scene =
         sceneOf(1, {ball(1, 1, 0.1, {-0.7, -0.3}, {0.9, 0.31}), ball(2, 2, 0.12, {0.1, 0.2}, {-0.4, 0.5}),

@@ -222,8 +222,10 @@ void grazing(Results& out) {
                 const Scene scene =
                     sceneOf(1, {ball(1, 1, 0.1, along * -0.5, along), ball(2, 1, 0.1, up * -aside, {0, 0})});
                 const double exact = meetingIn(scene).meets, got = !runOf(scene, 2).collisions().empty();
-                add(out, ExtremeRow::Grazing, inside ? ExtremeCase::GrazesInside : ExtremeCase::GrazesOutside,
-                    within,
+                const ExtremeCase kase =
+                    inside ? (slanted ? ExtremeCase::GrazesInsideSlanted : ExtremeCase::GrazesInside)
+                           : (slanted ? ExtremeCase::GrazesOutsideSlanted : ExtremeCase::GrazesOutside);
+                add(out, ExtremeRow::Grazing, kase, within,
                     {.asked = ExtremeMeasure::Meets,
                      .exact = exact,
                      .got = got,

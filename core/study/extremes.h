@@ -27,18 +27,20 @@ enum class ExtremeRow {
 
 // One scene of a row; what its value is.
 enum class ExtremeCase {
-    HeadOn,          // m_A/m_B
-    Glancing,        // m_A/m_B
-    RadiusRatio,     // r_A/r_B
-    Speed,           // m/s
-    Offset,          // the scene moved so far [m]
-    Scaled,          // the scene so many metres large
-    Elasticity,      // e
-    SamePlace,       // validate() of two bodies at one place
-    Apart,           // distance of the centres [m], in collide() alone
-    TinyRadii,       // m
-    GrazesInside,    // metres inside of where they would just miss
-    GrazesOutside,   // metres outside of it
+    HeadOn,       // m_A/m_B
+    Glancing,     // m_A/m_B
+    RadiusRatio,  // r_A/r_B
+    Speed,        // m/s
+    Offset,       // the scene moved so far [m]
+    Scaled,       // the scene so many metres large
+    Elasticity,   // e
+    SamePlace,    // validate() of two bodies at one place
+    Apart,        // distance of the centres [m], in collide() alone
+    TinyRadii,    // m
+    GrazesInside, // metres inside of where they would just miss
+    GrazesInsideSlanted,
+    GrazesOutside, // metres outside of it
+    GrazesOutsideSlanted,
     Gas,             // collisions
     OpenCrowd,       // collisions
     PiDigits,        // m_B/m_A
@@ -65,6 +67,7 @@ enum class ExtremeMeasure {
     Meets,            // 1: yes
     Collisions,       // a count; error: how many off
     CollisionsAtMost, // exact: the most there may be; error: how many more
+    StretchesAtMost,  // the same, of all bodies' stretches of motion
     EnergyDrift,      // relative
     MomentumDrift,    // |ΔP|/Σ|p|
     WayFromStart,     // the largest of any body [m]
