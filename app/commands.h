@@ -32,6 +32,7 @@ QString commandSummary(const QString& name);
 int runCommand(const Call& call);
 int explainCommand(const Call& call);
 int throwCommand(const Call& call);
+int studyCommand(const Call& call);
 int scenesCommand(const Call& call);
 int sceneCommand(const Call& call);
 

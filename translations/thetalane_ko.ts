@@ -27,6 +27,10 @@
         <source>draws the window, as it would look, into a PNG file</source>
         <translation>창의 모습을 PNG 파일로 그립니다</translation>
     </message>
+    <message>
+        <source>measures what an engine makes of extremes, against what is exact</source>
+        <translation>극단적인 경우에 엔진이 내는 값을 정확한 값과 견줍니다</translation>
+    </message>
 </context>
 <context>
     <name>Console</name>
@@ -705,6 +709,316 @@
     <message>
         <source>must be from %1, the foul line, to %2, the end of the lane, is %3</source>
         <translation>파울 라인 %1부터 레인의 끝 %2까지여야 하는데 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>StudyCommandText</name>
+    <message>
+        <source>Row</source>
+        <translation>항목</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>경우</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>물은 것</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>정확한 값</translation>
+    </message>
+    <message>
+        <source>Got</source>
+        <translation>얻은 값</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>오차</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>한계</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>한계 안</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>예</translation>
+    </message>
+    <message>
+        <source>NO</source>
+        <translation>아니오</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: 쓸 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>Within their bounds: %1 of %2</source>
+        <translation>한계 안에 든 것: %2개 가운데 %1개</translation>
+    </message>
+    <message>
+        <source>beyond their bounds: %1</source>
+        <translation>한계를 벗어난 것: %1</translation>
+    </message>
+    <message>
+        <source>extremes: masses, radii, speeds, places and counts at the edge of what numbers hold, each with its bound</source>
+        <translation>extremes: 수로 나타낼 수 있는 끝자락의 질량, 반지름, 속력, 위치, 횟수를 각각의 한계와 함께 봅니다</translation>
+    </message>
+    <message>
+        <source>ends the longest runs at 100000 collisions, not 10000000</source>
+        <translation>가장 긴 계산을 충돌 10000000번이 아니라 100000번에서 끝냅니다</translation>
+    </message>
+    <message>
+        <source>writes the table to a file as well</source>
+        <translation>표를 파일에도 씁니다</translation>
+    </message>
+    <message>
+        <source>%1: there is no such study; only extremes is there yet</source>
+        <translation>%1: 그런 연구는 없습니다. 아직 extremes만 있습니다</translation>
+    </message>
+    <message>
+        <source>--csv: needs the name of a file</source>
+        <translation>--csv: 파일 이름이 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Mass ratios</source>
+        <translation>질량비</translation>
+    </message>
+    <message>
+        <source>Radius ratios</source>
+        <translation>반지름 비</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>좌표</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>반발 계수</translation>
+    </message>
+    <message>
+        <source>Coincident centres</source>
+        <translation>겹친 중심</translation>
+    </message>
+    <message>
+        <source>Grazing</source>
+        <translation>스치는 접촉</translation>
+    </message>
+    <message>
+        <source>Many collisions</source>
+        <translation>많은 충돌</translation>
+    </message>
+    <message>
+        <source>Counting π</source>
+        <translation>π 세기</translation>
+    </message>
+    <message>
+        <source>Time reversal</source>
+        <translation>시간 되돌리기</translation>
+    </message>
+    <message>
+        <source>Inelastic collapse</source>
+        <translation>비탄성 붕괴</translation>
+    </message>
+    <message>
+        <source>Lasting contact</source>
+        <translation>지속 접촉</translation>
+    </message>
+    <message>
+        <source>Cost of lasting contact</source>
+        <translation>지속 접촉 규칙의 오차</translation>
+    </message>
+    <message>
+        <source>Mirror symmetry</source>
+        <translation>거울 대칭</translation>
+    </message>
+    <message>
+        <source>head-on, masses %1 : 1</source>
+        <translation>정면충돌, 질량 %1 : 1</translation>
+    </message>
+    <message>
+        <source>glancing, masses %1 : 1</source>
+        <translation>비스듬한 충돌, 질량 %1 : 1</translation>
+    </message>
+    <message>
+        <source>radii %1 : 1</source>
+        <translation>반지름 %1 : 1</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>moved by %1 m</source>
+        <translation>%1 m 옮긴 장면</translation>
+    </message>
+    <message>
+        <source>%1 times as large</source>
+        <translation>%1배 크기의 장면</translation>
+    </message>
+    <message>
+        <source>e = %1</source>
+        <translation>e = %1</translation>
+    </message>
+    <message>
+        <source>a scene with two at one place</source>
+        <translation>두 물체의 중심이 같은 장면</translation>
+    </message>
+    <message>
+        <source>centres %1 m apart</source>
+        <translation>중심 사이의 거리 %1 m</translation>
+    </message>
+    <message>
+        <source>radii of %1 m</source>
+        <translation>반지름 %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m inside</source>
+        <translation>%1 m 안쪽</translation>
+    </message>
+    <message>
+        <source>%1 m inside, slanted</source>
+        <translation>%1 m 안쪽, 기울어진 방향</translation>
+    </message>
+    <message>
+        <source>%1 m outside</source>
+        <translation>%1 m 바깥쪽</translation>
+    </message>
+    <message>
+        <source>%1 m outside, slanted</source>
+        <translation>%1 m 바깥쪽, 기울어진 방향</translation>
+    </message>
+    <message>
+        <source>gas in a box, %1 collisions</source>
+        <translation>상자 속 기체, 충돌 %1번</translation>
+    </message>
+    <message>
+        <source>open crowd, %1 collisions</source>
+        <translation>벽 없는 무리, 충돌 %1번</translation>
+    </message>
+    <message>
+        <source>masses 1 : %1</source>
+        <translation>질량 1 : %1</translation>
+    </message>
+    <message>
+        <source>%1 collisions there and back</source>
+        <translation>충돌 %1번 갔다가 되돌아옴</translation>
+    </message>
+    <message>
+        <source>three in a line, e = %1</source>
+        <translation>일직선의 세 공, e = %1</translation>
+    </message>
+    <message>
+        <source>chain of %1 at a wall, e = 0</source>
+        <translation>벽에 닿은 공 %1개의 사슬, e = 0</translation>
+    </message>
+    <message>
+        <source>ball pushes pin, contact time %1 s</source>
+        <translation>핀을 미는 공, 접촉 시간 %1 s</translation>
+    </message>
+    <message>
+        <source>pin between two, contact time %1 s</source>
+        <translation>두 핀 사이에 낀 핀, 접촉 시간 %1 s</translation>
+    </message>
+    <message>
+        <source>ball spun at a wall, contact time %1 s</source>
+        <translation>회전하며 벽에 닿는 공, 접촉 시간 %1 s</translation>
+    </message>
+    <message>
+        <source>ball straight at the rack, e = %1</source>
+        <translation>핀 열 개로 곧게 가는 공, e = %1</translation>
+    </message>
+    <message>
+        <source>ball on two, e = %1</source>
+        <translation>두 공을 치는 공, e = %1</translation>
+    </message>
+    <message>
+        <source>speed after [m/s]</source>
+        <translation>충돌 후 속력 [m/s]</translation>
+    </message>
+    <message>
+        <source>time of contact [s]</source>
+        <translation>접촉 시각 [s]</translation>
+    </message>
+    <message>
+        <source>time of contact [s], error in path [m]</source>
+        <translation>접촉 시각 [s], 오차는 경로 [m]</translation>
+    </message>
+    <message>
+        <source>line of centres [rad]</source>
+        <translation>중심선의 각 [rad]</translation>
+    </message>
+    <message>
+        <source>energy after [J]</source>
+        <translation>충돌 후 에너지 [J]</translation>
+    </message>
+    <message>
+        <source>energy loss [J]</source>
+        <translation>에너지 손실 [J]</translation>
+    </message>
+    <message>
+        <source>refused (1: yes)</source>
+        <translation>거절됨 (1: 예)</translation>
+    </message>
+    <message>
+        <source>they meet (1: yes)</source>
+        <translation>만남 (1: 예)</translation>
+    </message>
+    <message>
+        <source>collisions</source>
+        <translation>충돌 횟수</translation>
+    </message>
+    <message>
+        <source>collisions, at most</source>
+        <translation>충돌 횟수의 상한</translation>
+    </message>
+    <message>
+        <source>stretches of motion, at most</source>
+        <translation>운동 구간 수의 상한</translation>
+    </message>
+    <message>
+        <source>energy drift, relative</source>
+        <translation>에너지의 상대 변화</translation>
+    </message>
+    <message>
+        <source>momentum drift, relative</source>
+        <translation>운동량의 상대 변화</translation>
+    </message>
+    <message>
+        <source>distance from the start [m]</source>
+        <translation>처음 위치에서 벗어난 거리 [m]</translation>
+    </message>
+    <message>
+        <source>common velocity [m/s]</source>
+        <translation>공통 속도 [m/s]</translation>
+    </message>
+    <message>
+        <source>largest rise of energy, relative</source>
+        <translation>에너지의 최대 상대 증가</translation>
+    </message>
+    <message>
+        <source>deepest overlap [m]</source>
+        <translation>가장 깊은 겹침 [m]</translation>
+    </message>
+    <message>
+        <source>difference of end positions [m]</source>
+        <translation>마지막 위치의 차이 [m]</translation>
+    </message>
+    <message>
+        <source>asymmetry [m, m/s]</source>
+        <translation>비대칭 [m, m/s]</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ private slots:
         row("--help", "thetalane explain");
         row("-h", "thetalane explain");
         row("--version", "ThetaLane ");
-        for (const char* command : {"run", "explain", "throw", "scenes", "scene"}) {
+        for (const char* command : {"run", "explain", "throw", "scenes", "scene", "study"}) {
             row(QString(command) + " --help", "Usage: thetalane ");
             row(QString(command) + " --help --language ko", "사용법: thetalane ");
         }
@@ -112,6 +112,9 @@ private slots:
         row("scene", "NAME is missing");
         row("scene two-bals", "did you mean \"two-balls\"? thetalane scenes lists");
         row("scene /dev/null", "there is no such built-in scene");
+        row("study", "STUDY is missing");
+        row("study strikes", "strikes: there is no such study; only extremes is there yet");
+        row("study extremes --csv EMPTY", "--csv: needs");
         row("run", "SCENE is missing; the call is: thetalane run SCENE");
         row("run two-balls head-on", "head-on: one argument too many");
         row("run rihgt-angle", "did you mean \"right-angle\"?");
@@ -182,6 +185,28 @@ private slots:
         const bool swallowed = korean.error.contains("--language=ko"); // as the value of the last option
         QVERIFY2(korean.status == 2 && isOneLine(korean.error), qPrintable(korean.error));
         QVERIFY2(hasHangul(korean.error) || swallowed, qPrintable(korean.error));
+    }
+
+    void theStudyOfExtremesIsATableAndAFile() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("extremes.csv");
+        const Outcome o = call({"study", "extremes", "--quick", "--csv", path, "--language", "ko"});
+        const QString out = QString::fromUtf8(o.out);
+        QVERIFY2(out.contains("3141592") && out.contains("질량비"), o.out.constData());
+        QVERIFY(o.error.contains("14/14 거울 대칭"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QStringList lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.first(), QString("row,case,asked,exact,got,error,bound,within"));
+        int beyond = 0;
+        for (const QString& line : lines) {
+            QCOMPARE(line.count(','), 7);
+            beyond += line.endsWith(",no");
+        }
+        QVERIFY(lines.contains("pi,masses 1e+12,collisions,3141592,3141592,0,0,yes"));
+        QCOMPARE(o.status, beyond == 0 ? 0 : 1); // one beyond its bound is told by the status
+        QCOMPARE(o.error.contains("한계를 벗어난 것"), beyond > 0);
+        QCOMPARE(call({"study", "extremes", "--quick", "--csv", "/nowhere/at/all.csv"}).status, 1);
     }
 
     void theSystemsLanguageIsTheDefault() {
