@@ -70,9 +70,16 @@ template <class Real> Contact<Real> contactOf(const Vec2<Real>& first, const Vec
     using std::sqrt;
     const Real a = first.x - second.x;
     const Real b = first.y - second.y;
-    const Real Z = sqrt(a * a + b * b);
-    if (Z == Real(0))
-        return {a, b, Z, Real(1), Real(0)};
+    const Real Z2 = a * a + b * b;
+    if (Z2 < std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon()) { // squares underflow
+        using std::abs;
+        const Real scale = abs(a) > abs(b) ? Real(abs(a)) : Real(abs(b));
+        if (scale == Real(0))
+            return {a, b, scale, Real(1), Real(0)};
+        const Real p = a / scale, q = b / scale, z = sqrt(p * p + q * q);
+        return {a, b, scale * z, p / z, q / z};
+    }
+    const Real Z = sqrt(Z2);
     return {a, b, Z, a / Z, b / Z};
 }
 

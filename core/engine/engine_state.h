@@ -34,7 +34,7 @@ protected:
     FloorMotion<Real> m_floor;
     Real m_lastContact{-1};
     Real m_stuckAt{-1};
-    std::size_t m_eventsNow = 0; // at one instant, on a floor with friction
+    std::size_t m_eventsNow = 0;    // at one instant, on a floor with friction
     std::vector<Started> m_started; // of each body
 };
 

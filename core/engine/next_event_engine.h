@@ -101,11 +101,13 @@ private:
     using State::m_around;
     using State::m_epoch;
     using State::m_events;
+    using State::m_eventsNow;
     using State::m_floor;
     using State::m_lastContact;
     using State::m_now;
     using State::m_search;
     using State::m_started;
+    using State::m_stuckAt;
     using State::m_until;
 
     auto& discs() { return m_search.discs(); }
@@ -248,6 +250,7 @@ private:
             if (where.place != before)
                 m_recorder.departure({absolute(m_now), int(i), where.place});
             if constexpr (Models::friction) {
+                m_floor.begin(discs(), i, m_now, m_around.inPlay(i), {}, Real(0)); // with its new velocity
                 const auto partners = m_around.held().partnersOf(i);
                 settle({i, nobody, Side::Left});
                 for (const Index partner : partners)
