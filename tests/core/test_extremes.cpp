@@ -11,15 +11,6 @@
 
 using namespace thetalane;
 
-namespace {
-
-// Known to be beyond: centres less than 1e-154 m apart, whose squares are nothing, are taken for coincident.
-bool squaresUnderflow(const ExtremeResult& r) {
-    return r.kase == ExtremeCase::Apart && r.value < 1e-154 && r.asked == ExtremeMeasure::NormalCosine;
-}
-
-} // namespace
-
 class TestExtremes : public QObject {
     Q_OBJECT
 
