@@ -71,6 +71,8 @@ public:
             b.state.position = p;
             b.state.velocity = v;
             b.state.phase = FloorPhase::Rest;
+            if (v == Vec2<Real>{})
+                b.state.spin = {};
             b.stretch = {};
         } else {
             b.state = onFloor<Real>(p, v, b.state.spin, b.body, floorOf(i));

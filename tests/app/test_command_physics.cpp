@@ -83,9 +83,9 @@ private slots:
     }
 
     void throwTellsWhatWasAsked() {
-        const QJsonObject o = jsonOf({"throw", "--mass", "7", "--speed", "7.5", "--direction", "1.25",
+        const QJsonObject o = jsonOf({"throw", "--mass", "7", "--speed", "7.5", "--direction", "4",
                                       "--position", "-0.3", "--spin", "300", "--axis", "45", "--json"});
-        const QJsonObject expected{{"mass", 7},        {"speed", 7.5}, {"direction", 1.25},
+        const QJsonObject expected{{"mass", 7},        {"speed", 7.5}, {"direction", 4},
                                    {"position", -0.3}, {"spin", 300},  {"axis", 45}};
         QCOMPARE(o["throw"].toObject(), expected);
         QCOMPARE(o["format"].toString(), QString("thetalane-run"));
@@ -96,6 +96,18 @@ private slots:
             before = pin.toInt();
         }
         QVERIFY(before > 0);
+    }
+
+    // 6.5° to the left: a sliding ball ends on v₀ - β/(1 + β) u₀, whatever the oil.
+    void spinHooks() {
+        const auto headingAtTheFirstPin = [](const char* spin) {
+            const QJsonObject o = jsonOf({"throw", "--direction", "4", "--position", "-0.3", "--spin", spin,
+                                          "--axis", "45", "--json"});
+            const QJsonArray v = o["collisions"][0]["before"]["first"].toArray();
+            return std::atan2(v[0].toDouble(), v[1].toDouble()) * 180 / std::numbers::pi;
+        };
+        QVERIFY(headingAtTheFirstPin("300") < -1);
+        QVERIFY(headingAtTheFirstPin("150") < 2);
     }
 
     void aGutterBallTouchesNothing() {
