@@ -7,8 +7,8 @@
 namespace thetalane {
 namespace {
 
-// From how many bodies on the cells are cheaper. thetalane_crowd_bench, ns a collision in a gas of packing
-// 0.4 (g++ 12 -O3, a busy 2.5 GHz Xeon, the least of 7 in turn), all pairs : cells:
+// From how many bodies on the cells are cheaper. thetalane_bench --only search, ns a collision in a gas of
+// packing 0.4 (g++ 12 -O3, a busy 2.5 GHz Xeon, the least of 7 in turn), all pairs : cells:
 //     8 bodies 389 : 457,  12: 533 : 503,  16: 651 : 520,  20: 764 : 536,  32: 1108 : 577,  100: 2878 : 637.
 // Above the tie, as there are scenes where less happens than in a gas; a rack and its ball stay with all
 // pairs.
