@@ -83,6 +83,23 @@ template <class Real> Contact<Real> contactOf(const Vec2<Real>& first, const Vec
     return {a, b, Z, a / Z, b / Z};
 }
 
+// Steps 2 to 4 on both bodies.
+template <class Real> VelocityPair<Real> rotateIn(const VelocityPair<Real>& v, const Contact<Real>& c) {
+    return {rotateIn(v.first, c), rotateIn(v.second, c)};
+}
+template <class Real>
+VelocityPair<Real> exchangeAlong(const VelocityPair<Real>& rotated, const Real& ma, const Real& mb,
+                                 const Real& e) {
+    const Real total = ma + mb;
+    const Real va = rotated.first.x;
+    const Real vb = rotated.second.x;
+    return {{((ma - e * mb) * va + (Real(1) + e) * mb * vb) / total, rotated.first.y},
+            {((Real(1) + e) * ma * va + (mb - e * ma) * vb) / total, rotated.second.y}};
+}
+template <class Real> VelocityPair<Real> rotateBack(const VelocityPair<Real>& v, const Contact<Real>& c) {
+    return {rotateBack(v.first, c), rotateBack(v.second, c)};
+}
+
 // The five steps for two bodies in contact; restitution e in [0, 1]. Whether they touch or approach is the
 // caller's business: the paper's own loop exchanges bodies that part, and this function shows what that does.
 template <class Real>
@@ -93,20 +110,14 @@ PairCollision<Real> collide(const Disc<Real>& first, const Disc<Real>& second, c
     r.restitution = e;
     r.contact = contactOf(first.position, second.position);
     r.before = {first.velocity, second.velocity};
-    r.rotated = {rotateIn(first.velocity, r.contact), rotateIn(second.velocity, r.contact)};
-
+    r.rotated = rotateIn(r.before, r.contact);
     const Real& ma = first.mass;
     const Real& mb = second.mass;
-    const Real total = ma + mb;
-    const Real va = r.rotated.first.x;
-    const Real vb = r.rotated.second.x;
-    r.exchanged = r.rotated;
-    r.exchanged.first.x = ((ma - e * mb) * va + (Real(1) + e) * mb * vb) / total;
-    r.exchanged.second.x = ((Real(1) + e) * ma * va + (mb - e * ma) * vb) / total;
-    r.after = {rotateBack(r.exchanged.first, r.contact), rotateBack(r.exchanged.second, r.contact)};
+    r.exchanged = exchangeAlong(r.rotated, ma, mb, e);
+    r.after = rotateBack(r.exchanged, r.contact);
 
-    const Real reduced = ma * mb / total;
-    const Real approach = vb - va;
+    const Real reduced = ma * mb / (ma + mb);
+    const Real approach = r.rotated.second.x - r.rotated.first.x;
     r.impulse = (Real(1) + e) * reduced * approach;
     r.energyLoss = reduced * (Real(1) - e) * (Real(1) + e) * approach * approach / Real(2);
     r.momentumResidual =

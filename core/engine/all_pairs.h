@@ -83,25 +83,31 @@ private:
     // asked again.
     template <class Around> void findNext(const Around& around, Index i, const Real& now, Index from) {
         const Real never = std::numeric_limits<Real>::infinity();
+        const Traveller<Real> traveller = travellerAt(i, now);
         NextEvent<Real> next;
         if constexpr (Around::hasFrame || Around::hasLane || Around::hasFriction)
-            next = around.next(i, now, travellerAt(i, now));
+            next = around.next(i, now, traveller);
         Real first = isContact(next.kind) ? next.time : never; // the first two contacts
         Real second = never;
-        if (around.inPlay(i)) {
+        if constexpr (!Accelerated)
             m_discs.timesToImpact(i, from, now, m_in.data());
-            for (Index j = from; j < m_discs.count(); ++j) {
-                if (!(m_in[j] < never) || !around.inPlay(j) || around.holdsPair(i, j))
-                    continue;
-                const Real time = now + m_in[j];
-                if (time < next.time)
-                    next = {time, unsigned(j), EventKind::Pair, 0};
-                second = std::min(second, std::max(first, time));
-                first = std::min(first, time);
-            }
+        for (Index j = from; around.inPlay(i) && j < m_discs.count(); ++j) {
+            Real time;
+            if constexpr (Accelerated) // whatever surely comes later than what is known need not be solved
+                time = now + m_discs.timeToImpactWith(traveller, j, now, afterTies(next.time));
+            else
+                time = now + m_in[j];
+            if (!(time < never) || j == i || !around.inPlay(j) || around.holdsPair(i, j))
+                continue;
+            if (time < next.time)
+                next = {time, unsigned(j), EventKind::Pair, 0};
+            second = std::min(second, std::max(first, time));
+            first = std::min(first, time);
         }
         m_next[i] = {next, second - first <= tieWindow<Real>(first)};
     }
+
+    static Real afterTies(const Real& time) { return time + 2 * tieWindow<Real>(time); }
 
     Traveller<Real> travellerAt(Index i, const Real& now) const {
         return {m_discs.positionAt(i, now), m_discs.velocityAt(i, now), m_discs.acceleration(i),

@@ -43,11 +43,11 @@ public:
     ContactCluster(Search& search, const Surroundings<Real, Models>& around, const Real& e)
         : m_search(search)
         , m_around(around)
-        , m_restitution(e)
-        , m_place(search.discs().count(), absent) {}
+        , m_restitution(e) {}
 
     // All that touch the event's bodies, those that touch these, and so on.
     void gather(const ContactName& event, const Real& now) {
+        m_place.resize(m_search.discs().count(), absent); // a run without ties needs none
         for (const Index b : m_bodies)
             m_place[b] = absent;
         m_bodies.clear();

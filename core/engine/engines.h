@@ -6,7 +6,8 @@
 namespace thetalane {
 
 // How the next-event engine finds who meets whom, and what happens first.
-enum class SearchKind { ByCount, AllPairs, Cells };
+// Few is for free bodies, up to 32, in float and double.
+enum class SearchKind { ByCount, Few, AllPairs, Cells };
 
 Timeline runNextEvent(const Scene& scene, const EngineSettings& settings,
                       SearchKind search = SearchKind::ByCount);

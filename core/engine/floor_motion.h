@@ -18,6 +18,7 @@ public:
             return;
         const Friction& f = *scene.friction;
         m_ballFloor = {Real(f.gravity), zonesOf(f)};
+        m_strongest = Real(std::max({f.ball, f.pin, f.rolling, mostOf(f.oil)}) * f.gravity);
         m_pinFloor = {Real(f.gravity), {{}, {Real(f.pin)}}};
         for (const Body& b : scene.bodies) {
             const bool ball = b.kind == BodyKind::Ball;
@@ -52,6 +53,9 @@ public:
             onFloor<Real>({}, v, m_bodies[i].state.spin, b, floorOf(i)).phase == FloorPhase::Sliding;
         return slides || !b.rolls() ? Real(1) : Real(1 + 1 / b.inverseInertia);
     }
+
+    // What friction does to a body, at most [m/s²].
+    const Real& strongestFriction() const { return m_strongest; }
 
     // A ball that slips by less than `still` rolls.
     void calm(std::size_t i, const Vec2<Real>& v, const Real& still) {
@@ -127,6 +131,12 @@ private:
         Vec2<Real> push;
     };
 
+    static double mostOf(const std::vector<OilZone>& oil) {
+        double most = 0;
+        for (const OilZone& zone : oil)
+            most = std::max(most, zone.friction);
+        return most;
+    }
     static FrictionZones<Real> zonesOf(const Friction& f) {
         FrictionZones<Real> zones{{}, {Real(f.ball)}};
         for (const OilZone& oil : f.oil) {
@@ -174,6 +184,7 @@ private:
 
     Floor<Real> m_ballFloor;
     Floor<Real> m_pinFloor;
+    Real m_strongest{};
     std::vector<OneBody> m_bodies;
 };
 

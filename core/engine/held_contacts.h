@@ -32,6 +32,11 @@ public:
         return !m_held.empty() && holds({i, ContactName::nobody, side});
     }
 
+    bool concerns(std::size_t i) const {
+        return std::any_of(m_held.begin(), m_held.end(),
+                           [i](const Held& h) { return h.name.first == i || h.name.second == i; });
+    }
+
     std::vector<std::size_t> partnersOf(std::size_t i) const {
         std::vector<std::size_t> out;
         for (const Held& h : m_held)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/collision/pair_collision.h"
+#include "core/engine/traveller.h"
 #include "core/motion/impact.h"
 #include "core/motion/quadratic_impact.h"
 #include "core/scene/scene.h"
@@ -86,25 +87,28 @@ public:
         return true;
     }
 
-    // in[j] for j in [from, count()): the time from now until discs i and j touch and approach; infinity for
-    // never, or not before one of the two moves otherwise.
+    // in[j] for j in [from, count()): the time from now until free discs i and j touch and approach; infinity
+    // for never.
     void timesToImpact(std::size_t i, std::size_t from, const Real& now, Real* __restrict in) const {
+        static_assert(!Accelerated);
         const Vec2<Real> p = positionAt(i, now);
-        const Vec2<Real> v = velocityAt(i, now);
+        const Vec2<Real> v = velocity(i);
         const Real speed2 = dot(v, v);
         const Real r = radiusOf(i);
         for (std::size_t j = from; j < m_count; ++j) {
-            if constexpr (Accelerated) {
-                const Vec2<Real> u = velocityAt(j, now);
-                const Real horizon = std::min(until(i), until(j)) - now;
-                in[j] = timeToImpact<Real>(p - positionAt(j, now), v - u, acceleration(i) - acceleration(j),
-                                           r + radiusOf(j), speed2 + dot(u, u), horizon);
-            } else {
-                const Vec2<Real> u = velocity(j);
-                in[j] =
-                    timeToImpact<Real>(p - positionAt(j, now), v - u, r + radiusOf(j), speed2 + dot(u, u));
-            }
+            const Vec2<Real> u = velocity(j);
+            in[j] = timeToImpact<Real>(p - positionAt(j, now), v - u, r + radiusOf(j), speed2 + dot(u, u));
         }
+    }
+
+    // The time from now until the traveller and disc j touch and approach; infinity for never, or not before
+    // one of the two moves otherwise, or not before `last`.
+    Real timeToImpactWith(const Traveller<Real>& t, std::size_t j, const Real& now, const Real& last) const {
+        static_assert(Accelerated);
+        const Vec2<Real> u = velocityAt(j, now);
+        const Real horizon = std::min(std::min(t.until, until(j)), last) - now;
+        return timeToImpact<Real>(t.p - positionAt(j, now), t.v - u, t.a - acceleration(j),
+                                  t.radius + radiusOf(j), dot(t.v, t.v) + dot(u, u), horizon);
     }
 
 private:

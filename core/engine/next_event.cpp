@@ -2,6 +2,7 @@
 #include "core/engine/cells.h"
 #include "core/engine/engine_in_steps.h"
 #include "core/engine/engines.h"
+#include "core/engine/few_pairs.h"
 #include "core/engine/next_event_engine.h"
 
 namespace thetalane {
@@ -37,9 +38,13 @@ template <class Real, class Use> auto withSearch(const Scene& scene, SearchKind 
     if (requirementsOf(scene).friction)
         return onFloor<Real>(scene, use);
     if (search == SearchKind::ByCount)
-        search = scene.bodies.size() < fewestForCells ? SearchKind::AllPairs : SearchKind::Cells;
-    return search == SearchKind::Cells ? withModels<Real, Cells>(scene, use)
-                                       : withModels<Real, AllPairs>(scene, use);
+        search = scene.bodies.size() < fewestForCells ? SearchKind::Few : SearchKind::Cells;
+    if (search == SearchKind::Few)
+        return withModels<Real, FewPairs>(scene, use);
+    if (search == SearchKind::Cells)
+        return withModels<Real, Cells>(scene, use);
+    return use
+        .template operator()<NextEventEngine<Real, Models<true, true, false>, AllPairs>>(); // to compare with
 }
 
 } // namespace

@@ -116,8 +116,11 @@ private:
         const NextEvent<Real>& event = first.event;
         if (event.kind == EventKind::LaneEdge)
             return crossEdge(first.body, LaneEvent(event.detail));
-        if constexpr (Models::friction)
+        if constexpr (Models::friction) {
+            if (isOnItsOwn(first))
+                return event.kind == EventKind::Pair ? bounce(nameOf(first)) : goOnAlone(first.body);
             return settle(nameOf(first));
+        }
         if (const bool again = isSameInstant(); again || first.tied)
             return settle(nameOf(first));
         if (event.kind == EventKind::Pair)
@@ -135,15 +138,27 @@ private:
     }
 
     void collidePair(Index i, Index j) {
-        discs().moveTo(i, m_now);
-        discs().moveTo(j, m_now);
-        const auto steps = collide(discs().disc(i), discs().disc(j), m_restitution);
+        moveTo(i);
+        moveTo(j);
+        const Disc<Real> first = discs().disc(i), second = discs().disc(j);
+        // A summary is spared what it does not ask for: the check, and the writing down.
+        const auto contact = contactOf(first.position, second.position);
+        const auto rotated = rotateIn(VelocityPair<Real>{first.velocity, second.velocity}, contact);
         // Where they graze, rounding can bring them together as they already part: a contact never pulls.
-        if (steps.rotated.first.x >= steps.rotated.second.x)
+        if (rotated.first.x >= rotated.second.x) {
+            setOff(i, first.velocity);
+            setOff(j, second.velocity);
             return changedCourse(i, j);
-        discs().setVelocity(i, steps.after.first);
-        discs().setVelocity(j, steps.after.second);
-        m_recorder.collision(absolute(m_now), int(i), int(j), Side::Left, steps);
+        }
+        const auto after =
+            rotateBack(exchangeAlong(rotated, first.mass, second.mass, m_restitution), contact);
+        setOff(i, after.first);
+        setOff(j, after.second);
+        if (m_recorder.keepsDetail())
+            m_recorder.collision(absolute(m_now), int(i), int(j), Side::Left,
+                                 collide(first, second, m_restitution));
+        else
+            m_recorder.countCollision();
         changedCourse(i, j);
     }
 
@@ -206,6 +221,46 @@ private:
             m_floor.moveTo(discs(), i, m_now);
         else
             discs().moveTo(i, m_now);
+    }
+
+    // On a floor with friction: the end of a stretch of a body, or a meeting of two, that touches no contact
+    // which lasts, begins none, and brings nobody to rest. Most events are such, and need no Settlement.
+    bool isOnItsOwn(const FirstEvent<Real>& first) {
+        const bool again = isSameInstant();
+        const EventKind kind = first.event.kind;
+        if (again || first.tied || m_around.held().concerns(first.body))
+            return false;
+        if (kind == EventKind::StretchEnd)
+            return true;
+        const Index i = first.body, j = first.event.partner;
+        return kind == EventKind::Pair && !m_around.held().concerns(j) && partsFast(i, j);
+    }
+    // After the collision, faster than friction can undo within the contact time.
+    bool partsFast(Index i, Index j) {
+        const Disc<Real> a{discs().massOf(i), Real(0), discs().positionAt(i, m_now),
+                           discs().velocityAt(i, m_now)};
+        const Disc<Real> b{discs().massOf(j), Real(0), discs().positionAt(j, m_now),
+                           discs().velocityAt(j, m_now)};
+        const auto contact = contactOf(a.position, b.position);
+        const auto rotated = rotateIn(VelocityPair<Real>{a.velocity, b.velocity}, contact);
+        const auto exchanged = exchangeAlong(rotated, a.mass, b.mass, m_restitution);
+        const Real slow = 2 * m_floor.strongestFriction() * Real(m_settings.contactTime);
+        return rotated.first.x < rotated.second.x && exchanged.first.x - exchanged.second.x > slow &&
+               norm(exchanged.first) > slow && norm(exchanged.second) > slow;
+    }
+    void bounce(const ContactName& pair) { collidePair(pair.first, pair.second); }
+    void goOnAlone(Index i) {
+        moveTo(i);
+        setOff(i, discs().velocity(i));
+        changedCourse(i, nobody);
+    }
+
+    // With a new velocity, nothing pushing.
+    void setOff(Index i, const Vec2<Real>& v) {
+        if constexpr (Models::friction)
+            goOn(i, v, {}, Real(0));
+        else
+            discs().setVelocity(i, v);
     }
 
     // Friction alone: body i goes on from where it is.

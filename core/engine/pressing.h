@@ -59,6 +59,7 @@ public:
 
 private:
     static constexpr double longestHold = 5e-3; // s
+    static constexpr double creeping = 1e-13;   // of a contact's Z
 
     // Of the first body relative to the second, or to a wall; what is kept by the bodies' places.
     static Vec2<Real> between(const Touch<Real>& t, const Velocities& of, const Vec2<Real>& wall) {
@@ -109,8 +110,13 @@ private:
 
     // How long until the gap has opened by a quarter of what a held contact may drift: the terms in t⁴ of
     //     |Z n + (w t + ½ b t²) τ - ½ (w²/Z) t² n|, b the relative acceleration across.
+    // Where a body was stopped between others, one may still creep upon another, which the force then takes
+    // up by the end: soon enough not to be seen in the gap.
     Real steadyFor(const Touch<Real>& t, const Velocities& v) const {
         using std::sqrt;
+        const Real creep = -opening(t, v), least = Real(m_contactTime / 16);
+        if (creep > Real(0) && creep * longestHold > t.contact.Z * creeping)
+            return std::max(Real(t.contact.Z * creeping / creep), least);
         if (t.name.isWall())
             return Real(longestHold);
         const Real Z = t.contact.Z, w = across(t, v), b = norm(relativeFriction(t, v));
@@ -118,7 +124,7 @@ private:
         if (!(growth > Real(0)))
             return Real(longestHold);
         const Real time = sqrt(sqrt(Real(heldSlack<Real>(Z) / 4 / growth)));
-        return std::min(Real(longestHold), std::max(time, Real(m_contactTime / 16)));
+        return std::min(Real(longestHold), std::max(time, least));
     }
 
     // The forces; a body at rest holds still until they exceed what friction can hold. How the line of

@@ -4,6 +4,7 @@
 
 #include "core/engine/held_contacts.h"
 #include "core/engine/models.h"
+#include "core/engine/traveller.h"
 
 #include <limits>
 #include <vector>
@@ -22,13 +23,6 @@ template <class Real> struct NextEvent {
     unsigned partner = 0; // of a pair
     EventKind kind = EventKind::None;
     unsigned char detail = 0; // which Side or LaneEvent
-};
-
-// How a body moves from now on.
-template <class Real> struct Traveller {
-    Vec2<Real> p, v, a;
-    Real radius{};
-    Real until = std::numeric_limits<Real>::infinity(); // the end of its stretch
 };
 
 template <class Real, class Models> class Surroundings {

@@ -3,6 +3,8 @@
 
 #include "core/timeline/timeline.h"
 
+#include <type_traits>
+
 namespace thetalane {
 
 class Recorder {
@@ -18,9 +20,14 @@ public:
     void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps,
                    int pass = 0) {
         ++m_record.collisionCount;
-        if (m_keepDetail)
+        if (!m_keepDetail)
+            return;
+        if constexpr (std::is_same_v<Real, double>)
+            m_record.collisions.push_back({time, first, second, side, 0, pass, 1, steps});
+        else
             m_record.collisions.push_back({time, first, second, side, 0, pass, 1, convert<double>(steps)});
     }
+    void countCollision() { ++m_record.collisionCount; } // where only the count is kept
     void departure(const Departure& departure);
     void lasting(const LastingContact& contact);
 

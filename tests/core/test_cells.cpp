@@ -2,6 +2,7 @@
 // instants, until chaos has made the rounding visible. What the cells are for is in test_crowds.
 #include "core/engine/cells.h"
 #include "core/engine/engines.h"
+#include "core/engine/few_pairs.h"
 #include "core/scene/builtin.h"
 #include "core/scene/crowd_scenes.h"
 #include "tests/core/support.h"
@@ -12,6 +13,8 @@ using namespace thetalane;
 using namespace thetalane::testing;
 
 namespace {
+
+constexpr std::size_t mostFew = FewPairs<double, false>::most;
 
 struct Kind {
     int fewest, most;
@@ -243,21 +246,25 @@ private slots:
             // Each disc meets about four others before rounding has grown from 1e-16 to 1e-12.
             settings.maxCollisions = std::int64_t(2 * scene.bodies.size());
             const Timeline pairs = runNextEvent(scene, settings, SearchKind::AllPairs);
-            const Timeline cells = runNextEvent(scene, settings, SearchKind::Cells);
-            const Comparison c = compare(pairs, cells);
-            same += c.same;
-            all += pairs.collisionCount();
-            ended += c.untilTheEnd;
-            worst = std::max(worst, c.difference);
-            QVERIFY2(c.onlyRounding, qPrintable(QString("scene %1: %2 discs, %3 of %4 collisions")
-                                                    .arg(k)
-                                                    .arg(scene.bodies.size())
-                                                    .arg(c.same)
-                                                    .arg(pairs.collisionCount())));
-            QVERIFY(deepestOverlap(scene, cells.stateAt(cells.endTime())) < 1e-12);
+            for (const SearchKind search : {SearchKind::Cells, SearchKind::Few}) {
+                if (search == SearchKind::Few && scene.bodies.size() > mostFew)
+                    continue;
+                const Timeline found = runNextEvent(scene, settings, search);
+                const Comparison c = compare(pairs, found);
+                same += c.same;
+                all += pairs.collisionCount();
+                ended += c.untilTheEnd;
+                worst = std::max(worst, c.difference);
+                QVERIFY2(c.onlyRounding, qPrintable(QString("scene %1: %2 discs, %3 of %4 collisions")
+                                                        .arg(k)
+                                                        .arg(scene.bodies.size())
+                                                        .arg(c.same)
+                                                        .arg(pairs.collisionCount())));
+                QVERIFY(deepestOverlap(scene, found.stateAt(found.endTime())) < 1e-12);
+            }
         }
-        qInfo("%lld of %lld collisions the same, %d of %d scenes to the end; instants within %.1e",
-              static_cast<long long>(same), static_cast<long long>(all), ended, scenes, worst);
+        qInfo("%lld of %lld collisions the same, %d of %d runs to the end; instants within %.1e",
+              static_cast<long long>(same), static_cast<long long>(all), ended, 2 * scenes, worst);
         QVERIFY(2 * same > all);
     }
 
@@ -270,13 +277,17 @@ private slots:
             EngineSettings settings = eventSettings(20);
             settings.maxCollisions = 1;
             const Timeline pairs = runNextEvent(scene, settings, SearchKind::AllPairs);
-            const Timeline cells = runNextEvent(scene, settings, SearchKind::Cells);
-            QCOMPARE(cells.collisionCount(), pairs.collisionCount());
             if (pairs.collisionCount() == 0)
                 continue;
             ++met;
-            QVERIFY(sameMeeting(pairs.collisions()[0], cells.collisions()[0]));
-            QVERIFY(apart(pairs.collisions()[0], cells.collisions()[0]) <= 1e-14);
+            for (const SearchKind search : {SearchKind::Cells, SearchKind::Few}) {
+                if (search == SearchKind::Few && scene.bodies.size() > mostFew)
+                    continue;
+                const Timeline found = runNextEvent(scene, settings, search);
+                QCOMPARE(found.collisionCount(), pairs.collisionCount());
+                QVERIFY(sameMeeting(pairs.collisions()[0], found.collisions()[0]));
+                QVERIFY(apart(pairs.collisions()[0], found.collisions()[0]) <= 1e-14);
+            }
         }
         QVERIFY(met > 200);
     }
