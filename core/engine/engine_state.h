@@ -3,39 +3,24 @@
 #pragma once
 
 #include "core/engine/floor_motion.h"
+#include "core/engine/run_clock.h"
 #include "core/engine/surroundings.h"
-
-#include <cstddef>
-#include <vector>
 
 namespace thetalane {
 
 template <class Real, class Models, class Search> class EngineState {
 public:
     EngineState(const Scene& scene, double until)
-        : m_until(until)
+        : m_clock(until)
         , m_around(scene)
         , m_search(scene)
         , m_floor(scene) {}
 
 protected:
-    // A stretch of motion that began before times were last shifted, which may have cost its start a bit.
-    struct Started {
-        Real since;
-        double absolute; // s
-    };
-
-    Real m_epoch{0};
-    Real m_now{0};
-    Real m_until;
-    std::size_t m_events = 0;
+    RunClock<Real> m_clock;
     Surroundings<Real, Models> m_around;
     Search m_search;
     FloorMotion<Real> m_floor;
-    Real m_lastContact{-1};
-    Real m_stuckAt{-1};
-    std::size_t m_eventsNow = 0;    // at one instant, on a floor with friction
-    std::vector<Started> m_started; // of each body
 };
 
 } // namespace thetalane

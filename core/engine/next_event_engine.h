@@ -68,19 +68,19 @@ public:
             const FirstEvent<Real> first = m_search.earliest(m_around);
             if (first.event.kind == EventKind::None)
                 return discs().allAtRest() ? EndReason::AtRest : EndReason::NoMoreCollisions;
-            if (first.event.time > m_until)
+            if (first.event.time > m_clock.until())
                 return EndReason::Until;
             if (isContact(first.event.kind) && full(first.event.time))
                 return EndReason::MaxCollisions;
-            m_now = first.event.time;
+            m_clock.set(first.event.time);
             happen(first);
             if constexpr (Search::rebasesTime)
-                rebaseTime();
+                m_clock.followEvents(m_search);
         }
     }
     Timeline finish(EndReason reason) {
         const bool toTheEnd = reason == EndReason::Until || reason == EndReason::NoMoreCollisions;
-        return finish(reason, toTheEnd ? static_cast<double>(Real(m_settings.until)) : absolute(m_now));
+        return finish(reason, toTheEnd ? static_cast<double>(Real(m_settings.until)) : now());
     }
     Timeline finish(EndReason reason, double end) {
         if (!m_recorder.keepsDetail())
@@ -91,24 +91,17 @@ public:
     }
 
     const State& state() const { return *this; }
-    double now() const { return absolute(m_now); } // s
-    double absolute(const Real& time) const { return static_cast<double>(Real(m_epoch + time)); }
+    double now() const { return m_clock.absolute(); } // s
+    double absolute(const Real& time) const { return m_clock.absolute(time); }
     std::int64_t collisionCount() const { return m_recorder.collisionCount(); } // since it began or resumed
 
 private:
     using Index = std::size_t;
     static constexpr Index nobody = Search::nobody;
     using State::m_around;
-    using State::m_epoch;
-    using State::m_events;
-    using State::m_eventsNow;
+    using State::m_clock;
     using State::m_floor;
-    using State::m_lastContact;
-    using State::m_now;
     using State::m_search;
-    using State::m_started;
-    using State::m_stuckAt;
-    using State::m_until;
 
     auto& discs() { return m_search.discs(); }
 
@@ -117,11 +110,14 @@ private:
         if (event.kind == EventKind::LaneEdge)
             return crossEdge(first.body, LaneEvent(event.detail));
         if constexpr (Models::friction) {
-            if (isOnItsOwn(first))
-                return event.kind == EventKind::Pair ? bounce(nameOf(first)) : goOnAlone(first.body);
-            return settle(nameOf(first));
+            if (!isOnItsOwn(first))
+                return settle(nameOf(first));
+            if (event.kind == EventKind::StretchEnd)
+                return goOnAlone(first.body);
+            const ContactName pair = nameOf(first);
+            return collidePair(pair.first, pair.second);
         }
-        if (const bool again = isSameInstant(); again || first.tied)
+        if (const bool again = m_clock.isInstantOfLastContact(); again || first.tied)
             return settle(nameOf(first));
         if (event.kind == EventKind::Pair)
             collidePair(std::min<Index>(first.body, event.partner),
@@ -155,28 +151,27 @@ private:
         setOff(i, after.first);
         setOff(j, after.second);
         if (m_recorder.keepsDetail())
-            m_recorder.collision(absolute(m_now), int(i), int(j), Side::Left,
-                                 collide(first, second, m_restitution));
+            m_recorder.collision(now(), int(i), int(j), Side::Left, collide(first, second, m_restitution));
         else
             m_recorder.countCollision();
         changedCourse(i, j);
     }
 
     void collideWall(Index i, Side side, const Real& restitution) {
-        discs().moveTo(i, m_now);
+        discs().moveTo(i, m_clock.now());
         const auto steps = collideWithSide(discs().disc(i), side, restitution);
         discs().setVelocity(i, steps.after.first);
-        m_recorder.collision(absolute(m_now), int(i), -1, side, steps);
+        m_recorder.collision(now(), int(i), -1, side, steps);
         changedCourse(i, nobody);
     }
 
     // All that touch at this instant, together.
     void settle(const ContactName& event) {
-        m_settlement.gather(event, m_now, [this](Index b) { moveTo(b); });
+        m_settlement.gather(event, m_clock.now(), [this](Index b) { moveTo(b); });
         const auto& bodies = m_settlement.bodies();
         if constexpr (Models::friction) {
             Pressing<Real> pressing(m_floor, discs(), m_settings.contactTime);
-            m_settlement.reflect(absolute(m_now), [&](const auto& touch, const auto& v) {
+            m_settlement.reflect(now(), [&](const auto& touch, const auto& v) {
                 return pressing.slowestRebound(m_settlement.touches(), touch, v);
             });
             const Real still = pressing.restingSpeed(m_settlement.touches(), m_settlement.velocities());
@@ -185,48 +180,33 @@ private:
                 m_floor.calm(bodies[k], m_settlement.velocities()[k], still);
             pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
             hold(pressing);
-            if (isStuck())
+            if (m_clock.isStuck(discs().count()))
                 for (const auto& touch : m_settlement.touches())
-                    m_around.held().hold(touch.name, absolute(m_now));
+                    m_around.held().hold(touch.name, now());
             for (Index k = 0; k < bodies.size(); ++k)
                 goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
         } else {
-            m_settlement.reflect(absolute(m_now), [](const auto&, const auto&) { return Real(0); });
+            m_settlement.reflect(now(), [](const auto&, const auto&) { return Real(0); });
             for (Index k = 0; k < bodies.size(); ++k)
                 discs().setVelocity(bodies[k], m_settlement.velocities()[k]);
         }
         if (m_recorder.keepsDetail())
             for (const Index b : bodies)
                 record(b);
-        m_search.changedCourse(m_around, std::span<const Index>(bodies), m_now);
-    }
-
-    // A contact at what is still the instant of the last one: bodies that touch pass something on, which may
-    // go to and fro below all rounding. Then all that touch are looked at together.
-    bool isSameInstant() {
-        const bool again = m_now - m_lastContact <= tieWindow<Real>(m_now);
-        m_lastContact = m_now;
-        return again;
-    }
-
-    // Events without end at one instant, which only rounding can make: what touches is then held as it is.
-    bool isStuck() {
-        m_eventsNow = m_now == m_stuckAt ? m_eventsNow + 1 : 0;
-        m_stuckAt = m_now;
-        return m_eventsNow > 64 * discs().count();
+        m_search.changedCourse(m_around, std::span<const Index>(bodies), m_clock.now());
     }
 
     void moveTo(Index i) {
         if constexpr (Models::friction)
-            m_floor.moveTo(discs(), i, m_now);
+            m_floor.moveTo(discs(), i, m_clock.now());
         else
-            discs().moveTo(i, m_now);
+            discs().moveTo(i, m_clock.now());
     }
 
     // On a floor with friction: the end of a stretch of a body, or a meeting of two, that touches no contact
     // which lasts, begins none, and brings nobody to rest. Most events are such, and need no Settlement.
     bool isOnItsOwn(const FirstEvent<Real>& first) {
-        const bool again = isSameInstant();
+        const bool again = m_clock.isInstantOfLastContact();
         const EventKind kind = first.event.kind;
         if (again || first.tied || m_around.held().concerns(first.body))
             return false;
@@ -237,10 +217,10 @@ private:
     }
     // After the collision, faster than friction can undo within the contact time.
     bool partsFast(Index i, Index j) {
-        const Disc<Real> a{discs().massOf(i), Real(0), discs().positionAt(i, m_now),
-                           discs().velocityAt(i, m_now)};
-        const Disc<Real> b{discs().massOf(j), Real(0), discs().positionAt(j, m_now),
-                           discs().velocityAt(j, m_now)};
+        const Disc<Real> a{discs().massOf(i), Real(0), discs().positionAt(i, m_clock.now()),
+                           discs().velocityAt(i, m_clock.now())};
+        const Disc<Real> b{discs().massOf(j), Real(0), discs().positionAt(j, m_clock.now()),
+                           discs().velocityAt(j, m_clock.now())};
         const auto contact = contactOf(a.position, b.position);
         const auto rotated = rotateIn(VelocityPair<Real>{a.velocity, b.velocity}, contact);
         const auto exchanged = exchangeAlong(rotated, a.mass, b.mass, m_restitution);
@@ -248,7 +228,6 @@ private:
         return rotated.first.x < rotated.second.x && exchanged.first.x - exchanged.second.x > slow &&
                norm(exchanged.first) > slow && norm(exchanged.second) > slow;
     }
-    void bounce(const ContactName& pair) { collidePair(pair.first, pair.second); }
     void goOnAlone(Index i) {
         moveTo(i);
         setOff(i, discs().velocity(i));
@@ -270,7 +249,7 @@ private:
             if (m_around.placeOf(i).flying != 0 && v == Vec2<Real>{} && push == Vec2<Real>{} &&
                 m_around.inPlay(i))
                 leavePlay(i, Place::Gutter);
-        m_floor.begin(discs(), i, m_now, m_around.inPlay(i), push, atMost);
+        m_floor.begin(discs(), i, m_clock.now(), m_around.inPlay(i), push, atMost);
     }
 
     void hold(const Pressing<Real>& pressing) {
@@ -287,9 +266,9 @@ private:
             [&](const ContactName& name) {
                 return (concerns(name.first) || (!name.isWall() && concerns(name.second))) && !stays(name);
             },
-            absolute(m_now), m_recorder);
+            now(), m_recorder);
         for (const Index k : pressing.pressed())
-            m_around.held().hold(touches[k].name, absolute(m_now));
+            m_around.held().hold(touches[k].name, now());
     }
 
     void crossEdge(Index i, LaneEvent event) {
@@ -303,9 +282,10 @@ private:
             applyLaneEvent(event, m_around.lane(), discs().position(i), v, where);
             discs().setVelocity(i, v);
             if (where.place != before)
-                m_recorder.departure({absolute(m_now), int(i), where.place});
+                m_recorder.departure({now(), int(i), where.place});
             if constexpr (Models::friction) {
-                m_floor.begin(discs(), i, m_now, m_around.inPlay(i), {}, Real(0)); // with its new velocity
+                m_floor.begin(discs(), i, m_clock.now(), m_around.inPlay(i), {},
+                              Real(0)); // with its new velocity
                 const auto partners = m_around.held().partnersOf(i);
                 settle({i, nobody, Side::Left});
                 for (const Index partner : partners)
@@ -318,7 +298,7 @@ private:
 
     void leavePlay(Index i, Place place) {
         m_around.placeOf(i) = {place};
-        m_recorder.departure({absolute(m_now), int(i), place});
+        m_recorder.departure({now(), int(i), place});
     }
 
     void changedCourse(Index i, Index j) {
@@ -327,12 +307,12 @@ private:
             if (j != nobody)
                 record(j);
         }
-        m_search.changedCourse(m_around, i, j, m_now);
+        m_search.changedCourse(m_around, i, j, m_clock.now());
     }
 
     // A summary keeps the last segments alone: those are what the discs know at the end.
     void record(Index i) {
-        const Segment segment{startOf(i), convert<double>(discs().position(i)),
+        const Segment segment{m_clock.startOf(i, discs().since(i)), convert<double>(discs().position(i)),
                               convert<double>(discs().velocity(i)), convert<double>(discs().acceleration(i)),
                               m_around.place(i)};
         if constexpr (Models::friction)
@@ -344,35 +324,6 @@ private:
     void recordAll() {
         for (Index i = 0; i < discs().count(); ++i)
             record(i);
-    }
-
-    // Times in the engine count from m_epoch, which follows the run: the later, the less of a double would be
-    // left for the gaps between discs. Once in many events of each disc; by few enough bits to be exact.
-    void rebaseTime() {
-        constexpr std::size_t eventsOfEach = 64;
-        if (++m_events < eventsOfEach * discs().count())
-            return;
-        m_events = 0;
-        const Real shift = Real(static_cast<float>(m_now) * 0.999f);
-        std::vector<double> starts(discs().count());
-        for (Index i = 0; i < starts.size(); ++i)
-            starts[i] = startOf(i);
-        m_epoch = m_epoch + shift;
-        m_now = m_now - shift;
-        m_until = m_until - shift;
-        m_lastContact = m_lastContact - shift;
-        m_search.shiftTime(shift);
-        m_started.resize(starts.size());
-        for (Index i = 0; i < starts.size(); ++i)
-            m_started[i] = {discs().since(i), starts[i]};
-    }
-
-    // When body i's present stretch of motion began: as it was recorded then, whatever was shifted since.
-    double startOf(Index i) const {
-        if constexpr (Search::rebasesTime)
-            if (!m_started.empty() && m_started[i].since == m_search.discs().since(i))
-                return m_started[i].absolute;
-        return absolute(m_search.discs().since(i));
     }
 
     Real m_restitution;
