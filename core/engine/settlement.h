@@ -200,7 +200,7 @@ private:
         for (Planned& p : m_plan) {
             const Real slowest = slowestRebound(touches[p.touch], m_after);
             p.lasts = slowest > Real(0);
-            p.meets = -p.opening > slowest;
+            p.meets = !p.lasts || -p.opening > slowest;
         }
         shareLoss();
         record(time);
@@ -219,16 +219,18 @@ private:
             v = {abs(v.x) > rounding ? v.x : Real(0), abs(v.y) > rounding ? v.y : Real(0)};
     }
 
-    // One contact may do work that another takes up: the loss of the whole pass, by impulse.
+    // One contact may do work that another takes up: the loss of the whole pass, by impulse, among those that
+    // are written down.
     void shareLoss() {
         Real lost(0), impulses(0);
         for (const Planned& p : m_plan) {
             const Touch<Real>& t = m_cluster.touches()[p.touch];
             lost -= p.impulse * (p.opening + dot(t.normal(), relativeVelocity(t, m_after))) / 2;
-            impulses += p.impulse;
+            if (isCollision(p))
+                impulses += p.impulse;
         }
         for (Planned& p : m_plan)
-            p.lossShare = lost > Real(0) ? Real(lost * p.impulse / impulses) : Real(0);
+            p.lossShare = lost > Real(0) && isCollision(p) ? Real(lost * p.impulse / impulses) : Real(0);
     }
 
     Disc<Real> disc(Index place) const {
