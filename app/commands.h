@@ -33,6 +33,7 @@ int runCommand(const Call& call);
 int explainCommand(const Call& call);
 int throwCommand(const Call& call);
 int studyCommand(const Call& call);
+int scoreCommand(const Call& call);
 int scenesCommand(const Call& call);
 int sceneCommand(const Call& call);
 

@@ -31,6 +31,10 @@
         <source>measures what an engine makes of extremes, against what is exact</source>
         <translation>극단적인 경우에 엔진이 내는 값을 정확한 값과 견줍니다</translation>
     </message>
+    <message>
+        <source>scores a game of ten-pin bowling: frames and totals</source>
+        <translation>텐핀 볼링 한 게임의 점수를 계산합니다: 프레임별 점수와 누계</translation>
+    </message>
 </context>
 <context>
     <name>Console</name>
@@ -709,6 +713,116 @@
     <message>
         <source>must be from %1, the foul line, to %2, the end of the lane, is %3</source>
         <translation>파울 라인 %1부터 레인의 끝 %2까지여야 하는데 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreCommandText</name>
+    <message>
+        <source>Traditional scoring</source>
+        <translation>전통 방식 점수 계산</translation>
+    </message>
+    <message>
+        <source>Current-frame scoring (a strike is 30, a spare 10 and its first ball)</source>
+        <translation>커런트 프레임 방식 점수 계산 (스트라이크는 30점, 스페어는 10점에 첫 투구의 핀 수를 더합니다)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Rolls</source>
+        <translation>투구</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>누계</translation>
+    </message>
+    <message>
+        <source>Strikes: %1, spares: %2, open frames: %3</source>
+        <translation>스트라이크 %1, 스페어 %2, 오픈 프레임 %3</translation>
+    </message>
+    <message>
+        <source>The game goes on: frame %1, ball %2, %3 pins stand. So far %4 points, at most %5 possible.</source>
+        <translation>게임이 끝나지 않았습니다: 다음은 %1프레임 %2번째 투구이고, 서 있는 핀은 %3개입니다. 지금까지 %4점, 가능한 최고 점수는 %5점입니다.</translation>
+    </message>
+    <message>
+        <source>Total: %1, a perfect game</source>
+        <translation>총점: %1, 퍼펙트 게임</translation>
+    </message>
+    <message>
+        <source>Total: %1</source>
+        <translation>총점: %1</translation>
+    </message>
+    <message>
+        <source>frames separated by spaces: X strike, / spare, 1 to 9, - none, F foul; the tenth with its fill balls, as in XX8</source>
+        <translation>빈칸으로 나눈 프레임들: X 스트라이크, / 스페어, 1부터 9까지의 숫자, - 쓰러진 핀 없음, F 파울. 10프레임은 XX8처럼 보너스 투구까지 붙여 씁니다</translation>
+    </message>
+    <message>
+        <source>traditional unless said</source>
+        <translation>지정하지 않으면 traditional</translation>
+    </message>
+    <message>
+        <source>prints JSON for programs</source>
+        <translation>프로그램에서 읽을 JSON을 출력합니다</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreWords</name>
+    <message>
+        <source>a digit up to %1, - for none, F for a foul or / for a spare</source>
+        <translation>%1 이하의 숫자나 -(없음), F(파울), /(스페어)</translation>
+    </message>
+    <message>
+        <source>- for none, F for a foul or / for a spare</source>
+        <translation>-(없음)나 F(파울), /(스페어)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no roll; rolls are X, /, -, F and the digits 1 to 9</source>
+        <translation>&quot;%1&quot;: 투구 기호가 아닙니다. X, /, -, F와 1부터 9까지의 숫자를 씁니다</translation>
+    </message>
+    <message>
+        <source>0 is no roll; no pins are written -, all ten X</source>
+        <translation>0은 투구 기호가 아닙니다. 쓰러진 핀이 없으면 -, 열 개를 모두 쓰러뜨렸으면 X로 씁니다</translation>
+    </message>
+    <message>
+        <source>X stands for all ten at the first ball; here it must be %1</source>
+        <translation>X는 첫 투구로 핀 열 개를 모두 쓰러뜨렸을 때 씁니다. 여기에는 %1 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>/ needs a ball before it at the same pins; all ten at the first ball are written X</source>
+        <translation>/ 앞에는 같은 핀에 던진 투구가 있어야 합니다. 첫 투구로 열 개를 모두 쓰러뜨렸으면 X로 씁니다</translation>
+    </message>
+    <message>
+        <source>%1 is more than the pins that stand, %2; here it must be %3</source>
+        <translation>%1: 서 있는 핀의 수 %2보다 많습니다. 여기에는 %3 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>%1 takes all pins that stand; a spare is written /</source>
+        <translation>%1: 서 있는 핀을 모두 쓰러뜨린 투구입니다. 스페어는 /로 씁니다</translation>
+    </message>
+    <message>
+        <source>the second ball is missing; after %1 there must be %2, without a space</source>
+        <translation>두 번째 투구가 없습니다. %1 다음에는 빈칸 없이 %2 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>the frame is over before &quot;%1&quot; ends; frames are separated by spaces</source>
+        <translation>&quot;%1&quot;에서 프레임이 먼저 끝납니다. 프레임은 빈칸으로 나눕니다</translation>
+    </message>
+    <message>
+        <source>%1 is one roll too many: the game is over; current-frame scoring has no fill balls</source>
+        <translation>%1: 게임이 끝난 뒤의 투구입니다. 커런트 프레임 방식에는 보너스 투구가 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 is one roll too many: the game is over; only a strike earns two fill balls, and a spare one</source>
+        <translation>%1: 게임이 끝난 뒤의 투구입니다. 10프레임의 보너스 투구는 스트라이크 뒤에 두 번, 스페어 뒤에 한 번뿐입니다</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>%1프레임: %2</translation>
     </message>
 </context>
 <context>

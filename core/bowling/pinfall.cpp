@@ -1,7 +1,5 @@
 #include "core/bowling/pinfall.h"
 
-#include "core/scene/bowling_scene.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -44,15 +42,33 @@ std::vector<int> pinsTouched(const Scene& scene, const Timeline& timeline, doubl
 std::vector<int> pinsDown(const Scene& scene, const Timeline& timeline, double t) {
     const double tipping = pinTippingSpeed();
     std::vector<bool> down(scene.bodies.size(), false);
-    for (std::size_t i = 0; i < down.size(); ++i) {
+    const auto struck = [&](int body, Vec2d after) {
+        if (body >= 0 && isPin(scene, std::size_t(body)) && std::sqrt(dot(after, after)) > tipping)
+            down[std::size_t(body)] = true;
+    };
+    for (const Collision& c : timeline.collisions()) {
+        if (c.time > t)
+            break;
+        struck(c.first, c.steps.after.first);
+        struck(c.second, c.steps.after.second);
+    }
+    for (const Departure& d : timeline.departures())
+        if (d.time <= t && isPin(scene, std::size_t(d.body)))
+            down[std::size_t(d.body)] = true;
+    return indicesOf(down);
+}
+
+PinSet fallenPins(const Scene& scene, const Timeline& timeline) {
+    static const double tipping = pinTippingSpeed();
+    PinSet fallen;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!isPin(scene, i))
             continue;
-        const auto segments = timeline.segments(i);
-        down[i] = std::any_of(segments.begin(), segments.end(), [&](const Segment& s) {
-            return s.start <= t && (norm(s.velocity) > tipping || s.place != Place::Play);
-        });
+        const bool gone = timeline.segments(i).back().place != Place::Play;
+        if (gone || timeline.struckSpeed(i) > tipping)
+            fallen.set(std::size_t(std::stoi(scene.bodies[i].id) - 1));
     }
-    return indicesOf(down);
+    return fallen;
 }
 
 } // namespace thetalane

@@ -15,12 +15,18 @@ std::array<Vec2d, 10> pinPositions() {
     return pins;
 }
 
-std::vector<Body> fullRack() {
+std::vector<Body> rackOf(const PinSet& standing) {
     std::vector<Body> rack;
-    rack.reserve(11); // room for the ball in front
-    for (const Vec2d position : pinPositions())
-        rack.push_back({std::to_string(rack.size() + 1), BodyKind::Pin, pinMass, pinRadius, position, {}});
+    rack.reserve(standing.count() + 1); // room for the ball in front
+    const auto positions = pinPositions();
+    for (std::size_t k = 0; k < positions.size(); ++k)
+        if (standing[k])
+            rack.push_back({std::to_string(k + 1), BodyKind::Pin, pinMass, pinRadius, positions[k], {}});
     return rack;
+}
+
+std::vector<Body> fullRack() {
+    return rackOf(allPins);
 }
 
 // Where the plates begin and how they throw back is a guess: no drawing and no measurement of either could be
@@ -48,11 +54,12 @@ Spin<double> throwSpin(const Throw& t) {
     return {-t.spin * pull.y, t.spin * pull.x, 0};
 }
 
-Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction) {
+Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction,
+                   const PinSet& standing) {
     Scene scene;
     scene.title = {"Bowling: the whole lane", "볼링: 레인 전체"};
     scene.restitution = restitution;
-    scene.bodies = fullRack();
+    scene.bodies = rackOf(standing);
     scene.bodies.insert(scene.bodies.begin(),
                         Body{"ball",
                              BodyKind::Ball,

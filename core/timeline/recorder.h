@@ -3,6 +3,8 @@
 
 #include "core/timeline/timeline.h"
 
+#include <algorithm>
+
 namespace thetalane {
 
 class Recorder {
@@ -18,6 +20,9 @@ public:
     void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps,
                    int pass = 0) {
         ++m_record.collisionCount;
+        notice(first, steps.after.first);
+        if (second >= 0)
+            notice(second, steps.after.second);
         if (m_keepDetail)
             m_record.collisions.push_back({time, first, second, side, 0, pass, 1, convert<double>(steps)});
     }
@@ -30,6 +35,11 @@ public:
     Timeline finish(double endTime, EndReason reason);
 
 private:
+    template <class Real> void notice(int body, const Vec2<Real>& velocity) {
+        double& fastest = m_record.struckSpeeds[std::size_t(body)]; // squared until the end
+        fastest = std::max(fastest, static_cast<double>(dot(velocity, velocity)));
+    }
+
     std::size_t m_bodyCount;
     bool m_keepDetail;
     TimelineRecord m_record;
