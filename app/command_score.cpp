@@ -99,13 +99,13 @@ void printForPeople(const Scorecard& card) {
 }
 
 // Rolls that begin with a gutter ball look like an option: they go behind a "--" of their own. A "--" that
-// something follows is no frame but the usual end of the options.
+// no option follows is no frame but the usual end of the options.
 QStringList rollsLast(QStringList arguments) {
-    static const QRegularExpression rolls("^-[-0-9XxFf/\\s]*$");
+    static const QRegularExpression rolls("^-[-0-9XxFf/\\s]*$"), option("^--?[a-z]");
     for (qsizetype i = 0; i < arguments.size(); ++i) {
         if (!rolls.match(arguments[i]).hasMatch())
             continue;
-        if (arguments[i] == "--" && i + 1 < arguments.size())
+        if (arguments[i] == "--" && i + 1 < arguments.size() && !option.match(arguments[i + 1]).hasMatch())
             return arguments;
         const QString asked = arguments.takeAt(i);
         return arguments << "--" << asked;

@@ -1,6 +1,7 @@
 // The commands of the program, one file each.
 #pragma once
 
+#include "app/map_picture.h"
 #include "app/window.h"
 #include "ui/words/language.h"
 
@@ -21,7 +22,7 @@ struct Call {
 struct Command {
     const char* name;
     const char* summary;     // in English; commandSummary() translates
-    int (*run)(const Call&); // null: picture, which is read here and drawn by its own application
+    int (*run)(const Call&); // null: picture and map, which may be drawn by an application of their own
 };
 
 // In the order of --help.
@@ -39,5 +40,6 @@ int sceneCommand(const Call& call);
 
 // The status to leave with, or what to draw.
 std::variant<int, PictureRequest> readPictureCall(const Call& call);
+std::variant<int, MapPictureRequest> mapCommand(const Call& call);
 
 } // namespace thetalane

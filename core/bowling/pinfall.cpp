@@ -1,6 +1,7 @@
 #include "core/bowling/pinfall.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace thetalane {
@@ -16,6 +17,13 @@ std::vector<int> indicesOf(const std::vector<bool>& flags) {
         if (flags[i])
             out.push_back(int(i));
     return out;
+}
+
+// Of a pin of the rack: "1" to "10". Of any other, the first, so that none is lost.
+int numberOf(const Body& pin) {
+    int number = 0;
+    std::from_chars(pin.id.data(), pin.id.data() + pin.id.size(), number);
+    return std::clamp(number, 1, 10);
 }
 
 } // namespace
@@ -66,7 +74,7 @@ PinSet fallenPins(const Scene& scene, const Timeline& timeline) {
             continue;
         const bool gone = timeline.segments(i).back().place != Place::Play;
         if (gone || timeline.struckSpeed(i) > tipping)
-            fallen.set(std::size_t(std::stoi(scene.bodies[i].id) - 1));
+            fallen.set(std::size_t(numberOf(scene.bodies[i]) - 1));
     }
     return fallen;
 }

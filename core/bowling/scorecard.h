@@ -61,6 +61,7 @@ struct FrameScore {
     std::optional<int> total{};  // of the game up to this frame
 };
 
+// GameOver: also of a corrected frame that is over before.
 enum class DeliveryFault { NegativePins, MoreThanStand, PinNotStanding, CountDiffers, GameOver };
 
 struct DeliveryError {

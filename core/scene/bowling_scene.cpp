@@ -54,38 +54,40 @@ Spin<double> throwSpin(const Throw& t) {
     return {-t.spin * pull.y, t.spin * pull.x, 0};
 }
 
+Body thrownBall(const Throw& t) {
+    const Vec2d velocity{t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)};
+    return {"ball",   BodyKind::Ball, t.mass, ballRadius, {t.position, -foulLineToHeadPin},
+            velocity, throwSpin(t)};
+}
+
+Body rackBall(double offset, double entryAngle, double speed, double mass) {
+    constexpr double start = 0.5; // before the head pin
+    return {"ball",
+            BodyKind::Ball,
+            mass,
+            ballRadius,
+            {offset - start * std::tan(entryAngle), -start},
+            {speed * std::sin(entryAngle), speed * std::cos(entryAngle)}};
+}
+
 Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction,
                    const PinSet& standing) {
     Scene scene;
     scene.title = {"Bowling: the whole lane", "볼링: 레인 전체"};
     scene.restitution = restitution;
     scene.bodies = rackOf(standing);
-    scene.bodies.insert(scene.bodies.begin(),
-                        Body{"ball",
-                             BodyKind::Ball,
-                             t.mass,
-                             ballRadius,
-                             {t.position, -foulLineToHeadPin},
-                             {t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)},
-                             throwSpin(t)});
+    scene.bodies.insert(scene.bodies.begin(), thrownBall(t));
     scene.lane = regulationLane();
     scene.friction = friction;
     return scene;
 }
 
 Scene rackScene(double offset, double entryAngle, double speed, double restitution) {
-    constexpr double start = 0.5; // before the head pin
     Scene scene;
     scene.title = {"The rack: a ball and ten pins", "핀 열 개와 볼링공"};
     scene.restitution = restitution;
     scene.bodies = fullRack();
-    scene.bodies.insert(scene.bodies.begin(),
-                        Body{"ball",
-                             BodyKind::Ball,
-                             6.8,
-                             ballRadius,
-                             {offset - start * std::tan(entryAngle), -start},
-                             {speed * std::sin(entryAngle), speed * std::cos(entryAngle)}});
+    scene.bodies.insert(scene.bodies.begin(), rackBall(offset, entryAngle, speed));
     return scene;
 }
 

@@ -64,6 +64,10 @@ Friction houseFriction();
 // The spin of a ball thrown so, in the axes of the lane [rad/s].
 Spin<double> throwSpin(const Throw& ballThrow);
 
+// The balls of the two scenes below.
+Body thrownBall(const Throw& ballThrow);
+Body rackBall(double offset, double entryAngle, double speed, double mass = Throw{}.mass);
+
 // One ball at the foul line, the whole lane, the pins that stand; no friction where none is given. The ball
 // is the first body. Validity is validate()'s business.
 Scene bowlingScene(const Throw& ballThrow, double restitution = defaultPinRestitution,
