@@ -1,6 +1,7 @@
 // thetalane map: pins down over offset and entry angle, whole or in parts, and parts put together
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/map_picture.h"
 #include "app/map_words.h"
 #include "app/options.h"
 #include "app/save_file.h"

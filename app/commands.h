@@ -1,7 +1,6 @@
 // The commands of the program, one file each.
 #pragma once
 
-#include "app/map_picture.h"
 #include "app/window.h"
 #include "ui/words/language.h"
 
@@ -12,6 +11,8 @@
 #include <variant>
 
 namespace thetalane {
+
+struct MapPictureRequest;
 
 // What follows the command's name, and the language to answer in (its translators are installed).
 struct Call {

@@ -1,6 +1,7 @@
 // Which command, in which language; each is a file of its own.
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/map_picture.h"
 #include "app/options.h"
 #include "app/scene_source.h"
 #include "app/text_table.h"

@@ -28,7 +28,10 @@ struct MapAxis {
     double to = 0;
     int count = 1; // of values, the first at `from`, the last at `to`
 
-    double at(int k) const { return count > 1 ? from + (to - from) * k / (count - 1) : from; }
+    // The ends are exact, so that an axis can be told from its values.
+    double at(int k) const {
+        return k == 0 ? from : k == count - 1 ? to : from + (to - from) * k / (count - 1);
+    }
     friend bool operator==(const MapAxis&, const MapAxis&) = default;
 };
 

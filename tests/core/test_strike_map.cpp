@@ -279,6 +279,10 @@ private slots:
         QFETCH(int, scene);
         MapSettings s = defaultMap(MapScene(scene), 7, 10);
         s.base.mass = 6.123456789;
+        s.across.from = 0.01; // the last value of these, stepped to from the first, is off by rounding
+        s.across.to = 0.0333;
+        s.up.from = -7.3 * degree;
+        s.up.to = 3.1 * degree;
         const QByteArray whole = fileOf("whole", s).text;
         QVERIFY(whole.startsWith("offset_m,angle_deg,pins_down,strike,"));
         QCOMPARE(whole.count('\n'), 71);
