@@ -19,6 +19,9 @@ constexpr Command all[] = {
     {"study",
      QT_TRANSLATE_NOOP("Commands", "measures what an engine makes of extremes, against what is exact"),
      studyCommand},
+    {"map", QT_TRANSLATE_NOOP("Commands", "the strike map: pins down over offset and entry angle"), nullptr},
+    {"score", QT_TRANSLATE_NOOP("Commands", "scores a game of ten-pin bowling: frames and totals"),
+     scoreCommand},
     {"picture", QT_TRANSLATE_NOOP("Commands", "draws the window, as it would look, into a PNG file"),
      nullptr},
 };

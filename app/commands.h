@@ -12,6 +12,8 @@
 
 namespace thetalane {
 
+struct MapPictureRequest;
+
 // What follows the command's name, and the language to answer in (its translators are installed).
 struct Call {
     QStringList arguments;
@@ -21,7 +23,7 @@ struct Call {
 struct Command {
     const char* name;
     const char* summary;     // in English; commandSummary() translates
-    int (*run)(const Call&); // null: picture, which is read here and drawn by its own application
+    int (*run)(const Call&); // null: picture and map, which may be drawn by an application of their own
 };
 
 // In the order of --help.
@@ -33,10 +35,12 @@ int runCommand(const Call& call);
 int explainCommand(const Call& call);
 int throwCommand(const Call& call);
 int studyCommand(const Call& call);
+int scoreCommand(const Call& call);
 int scenesCommand(const Call& call);
 int sceneCommand(const Call& call);
 
 // The status to leave with, or what to draw.
 std::variant<int, PictureRequest> readPictureCall(const Call& call);
+std::variant<int, MapPictureRequest> mapCommand(const Call& call);
 
 } // namespace thetalane

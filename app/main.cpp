@@ -1,6 +1,7 @@
 // Which command, in which language; each is a file of its own.
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/map_picture.h"
 #include "app/options.h"
 #include "app/scene_source.h"
 #include "app/text_table.h"
@@ -82,7 +83,7 @@ std::variant<int, WindowRequest> readWindowCall(const Call& call) {
 }
 
 // The status to leave with, or what a window is to open or to be drawn with.
-using Outcome = std::variant<int, WindowRequest, PictureRequest>;
+using Outcome = std::variant<int, WindowRequest, PictureRequest, MapPictureRequest>;
 
 Outcome toOutcome(auto&& read) {
     return std::visit([](auto&& value) -> Outcome { return std::forward<decltype(value)>(value); },
@@ -110,6 +111,8 @@ Outcome dispatch(int& argc, char** argv) {
     const QString name = call.arguments.takeFirst();
     if (name == "picture")
         return toOutcome(readPictureCall(call));
+    if (name == "map")
+        return toOutcome(mapCommand(call));
     for (const Command& command : commands())
         if (name == command.name)
             return command.run(call);
@@ -122,6 +125,8 @@ int start(int argc, char** argv) {
         return runWindow(argc, argv, *window);
     if (const auto* picture = std::get_if<PictureRequest>(&outcome))
         return drawPicture(argc, argv, *picture);
+    if (const auto* map = std::get_if<MapPictureRequest>(&outcome))
+        return drawMapPicture(argc, argv, *map);
     return std::get<int>(outcome);
 }
 

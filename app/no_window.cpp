@@ -1,5 +1,6 @@
 // In place of window.cpp where the program is built without a window.
 #include "app/console.h"
+#include "app/map_picture.h"
 #include "app/window.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,11 @@ int runWindow(int&, char**, const WindowRequest&) {
 int drawPicture(int&, char**, const PictureRequest&) {
     return failure(QCoreApplication::translate(
         "NoWindow", "picture: this program was built without the window, and cannot draw it"));
+}
+
+int drawMapPicture(int&, char**, const MapPictureRequest&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "--picture: this program was built without the window, and cannot draw it"));
 }
 
 } // namespace thetalane

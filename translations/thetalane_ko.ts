@@ -31,6 +31,14 @@
         <source>measures what an engine makes of extremes, against what is exact</source>
         <translation>극단적인 경우에 엔진이 내는 값을 정확한 값과 견줍니다</translation>
     </message>
+    <message>
+        <source>scores a game of ten-pin bowling: frames and totals</source>
+        <translation>텐핀 볼링 한 게임의 점수를 계산합니다: 프레임별 점수와 누계</translation>
+    </message>
+    <message>
+        <source>the strike map: pins down over offset and entry angle</source>
+        <translation>스트라이크 지도: 위치와 입사각에 따라 쓰러지는 핀의 수</translation>
+    </message>
 </context>
 <context>
     <name>Console</name>
@@ -103,6 +111,105 @@
     <message>
         <source>which collision, from 1; the first unless said</source>
         <translation>몇 번째 충돌인지 (1부터). 기본값은 첫 번째</translation>
+    </message>
+</context>
+<context>
+    <name>GameText</name>
+    <message>
+        <source>must be &quot;thetalane-game&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;thetalane-game&quot;이어야 합니다. 적힌 값: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>must be 1, is %1; a newer program wrote this game</source>
+        <translation>1이어야 합니다. 적힌 값: %1. 더 새로운 프로그램이 저장한 게임입니다</translation>
+    </message>
+    <message>
+        <source>must be &quot;traditional&quot; or &quot;current-frame&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;traditional&quot;이나 &quot;current-frame&quot;이어야 합니다. 적힌 값: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>must be 1 to %1 players, are %2</source>
+        <translation>참가자는 1명에서 %1명까지여야 합니다. 적힌 수: %2</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>비어 있으면 안 됩니다</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to %1, is %2</source>
+        <translation>0부터 %1까지의 정수여야 합니다. 적힌 값: %2</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>true나 false여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be a whole number, is %1</source>
+        <translation>정수여야 합니다. 적힌 값: %1</translation>
+    </message>
+    <message>
+        <source>must be the number of a pin, 1 to %1</source>
+        <translation>1부터 %1까지의 핀 번호여야 합니다</translation>
+    </message>
+    <message>
+        <source>pin %1 is in the list already</source>
+        <translation>%1번 핀이 목록에 이미 있습니다</translation>
+    </message>
+    <message>
+        <source>must be %1, as many as &quot;down&quot; names, is %2</source>
+        <translation>&quot;down&quot;에 적힌 핀의 수인 %1이어야 합니다. 적힌 값: %2</translation>
+    </message>
+    <message>
+        <source>must be from 0 to %1, the pins that stand, is %2</source>
+        <translation>0 이상이고 서 있는 핀의 수 %1 이하여야 합니다. 적힌 값: %2</translation>
+    </message>
+    <message>
+        <source>must not be less than 0, is %1</source>
+        <translation>0보다 작을 수 없습니다. 적힌 값: %1</translation>
+    </message>
+    <message>
+        <source>pin %1 is down already</source>
+        <translation>%1번 핀은 이미 쓰러져 있습니다</translation>
+    </message>
+    <message>
+        <source>is one delivery too many; the game is over before</source>
+        <translation>게임이 끝난 뒤의 투구입니다</translation>
+    </message>
+    <message>
+        <source>must be the pins that the deliveries before left standing</source>
+        <translation>앞의 투구가 남긴 핀과 같아야 합니다</translation>
+    </message>
+    <message>
+        <source>goes into frame %1; by the turns of the others it can be at most frame %2</source>
+        <translation>%1프레임까지 적혀 있습니다. 다른 참가자의 차례에 맞추면 %2프레임까지만 던질 수 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 pins cannot fall</source>
+        <translation>핀 %1개가 쓰러질 수는 없습니다</translation>
+    </message>
+    <message>
+        <source>only %1 pins stand, not %2</source>
+        <translation>서 있는 핀은 %1개뿐입니다. 입력한 수: %2</translation>
+    </message>
+    <message>
+        <source>the count and the pins chosen do not agree</source>
+        <translation>핀의 수와 고른 핀이 서로 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>this delivery is one too many</source>
+        <translation>이 투구는 더 던질 수 없는 투구입니다</translation>
+    </message>
+    <message>
+        <source>this frame has not been played</source>
+        <translation>아직 던지지 않은 프레임입니다</translation>
+    </message>
+    <message>
+        <source>a delivery is missing in this frame</source>
+        <translation>이 프레임에 투구가 빠져 있습니다</translation>
+    </message>
+    <message>
+        <source>the game is over</source>
+        <translation>게임이 끝났습니다</translation>
     </message>
 </context>
 <context>
@@ -182,6 +289,228 @@
     </message>
 </context>
 <context>
+    <name>MapCommandText</name>
+    <message>
+        <source>rack: ten pins without friction; bowling: the whole lane; rack unless said</source>
+        <translation>rack: 마찰이 없는 핀 열 개, bowling: 레인 전체. 지정하지 않으면 rack</translation>
+    </message>
+    <message>
+        <source>how many offsets, the columns; 256 unless said</source>
+        <translation>위치의 개수(열). 지정하지 않으면 256</translation>
+    </message>
+    <message>
+        <source>how many entry angles, the rows; 256 unless said</source>
+        <translation>입사각의 개수(행). 지정하지 않으면 256</translation>
+    </message>
+    <message>
+        <source>from the head pin, positive to the right; -0.16 unless said</source>
+        <translation>헤드핀에서 잰 위치, 오른쪽이 양수. 지정하지 않으면 -0.16</translation>
+    </message>
+    <message>
+        <source>0.16 unless said</source>
+        <translation>지정하지 않으면 0.16</translation>
+    </message>
+    <message>
+        <source>of the path at the pins, positive to the left, as a right-hander&apos;s hook comes in; 0 unless said</source>
+        <translation>핀에 다다를 때 경로의 각도, 오른손잡이의 훅처럼 왼쪽으로 들어가는 방향이 양수. 지정하지 않으면 0</translation>
+    </message>
+    <message>
+        <source>8 unless said</source>
+        <translation>지정하지 않으면 8</translation>
+    </message>
+    <message>
+        <source>rack: at the pins, 6.8 unless said; bowling: at the foul line, 8 unless said</source>
+        <translation>rack: 핀 앞에서의 속력, 지정하지 않으면 6.8. bowling: 파울 라인에서의 속력, 지정하지 않으면 8</translation>
+    </message>
+    <message>
+        <source>of the ball, at most 7.26 kg; 6.8 unless said</source>
+        <translation>볼 무게, 최대 7.26 kg. 지정하지 않으면 6.8</translation>
+    </message>
+    <message>
+        <source>bowling: direction and axis are found for each cell; 400 unless said</source>
+        <translation>bowling: 방향과 회전축은 칸마다 계산해서 정합니다. 지정하지 않으면 400</translation>
+    </message>
+    <message>
+        <source>bowling: at the foul line; 0, the middle, unless said</source>
+        <translation>bowling: 파울 라인에서의 위치. 지정하지 않으면 가운데인 0</translation>
+    </message>
+    <message>
+        <source>between bodies; 0.75 unless said</source>
+        <translation>물체 사이의 반발 계수. 지정하지 않으면 0.75</translation>
+    </message>
+    <message>
+        <source>only these rows, from 1; a part to be merged later</source>
+        <translation>이 행들만 계산합니다(1부터 셉니다). 나중에 합칠 부분입니다</translation>
+    </message>
+    <message>
+        <source>as many as the machine has unless said</source>
+        <translation>지정하지 않으면 컴퓨터의 코어 수만큼</translation>
+    </message>
+    <message>
+        <source>writes a line for each cell</source>
+        <translation>칸마다 한 줄씩 파일에 씁니다</translation>
+    </message>
+    <message>
+        <source>draws the map</source>
+        <translation>지도를 그림으로 그립니다</translation>
+    </message>
+    <message>
+        <source>puts the parts in these CSV files together instead of throwing</source>
+        <translation>새로 계산하지 않고 이 CSV 파일들에 든 부분을 하나로 합칩니다</translation>
+    </message>
+    <message>
+        <source>must be A-B with 1 &lt;= A &lt;= B &lt;= %1, is &quot;%2&quot;</source>
+        <translation>1 &lt;= A &lt;= B &lt;= %1인 A-B 꼴이어야 합니다. 입력한 값: &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>has no meaning on the rack; add --scene bowling</source>
+        <translation>rack에서는 뜻이 없습니다. --scene bowling을 함께 쓰십시오</translation>
+    </message>
+    <message>
+        <source>must be at most %1</source>
+        <translation>%1 이하여야 합니다</translation>
+    </message>
+    <message>
+        <source>must not be less than --offset-from</source>
+        <translation>--offset-from보다 작을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>must not be less than --angle-from</source>
+        <translation>--angle-from보다 작을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 % of %2 throws</source>
+        <translation>투구 %2번 가운데 %1 %</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: 읽을 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>has no meaning with --merge; leave one of the two out</source>
+        <translation>--merge와 함께 쓸 수 없습니다. 둘 가운데 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>Entry angle [°]</source>
+        <translation>입사각 [°]</translation>
+    </message>
+    <message>
+        <source>Pins down, mean</source>
+        <translation>쓰러진 핀 평균</translation>
+    </message>
+    <message>
+        <source>Strikes</source>
+        <translation>스트라이크</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Strike map of the rack without friction</source>
+        <translation>마찰이 없는 핀 배열의 스트라이크 지도</translation>
+    </message>
+    <message>
+        <source>Strike map of the whole lane</source>
+        <translation>레인 전체의 스트라이크 지도</translation>
+    </message>
+    <message>
+        <source>Throws: %1, strikes: %2</source>
+        <translation>투구 %1번, 스트라이크 %2번</translation>
+    </message>
+    <message>
+        <source>Cells that no throw arrives in: %1</source>
+        <translation>맞는 투구가 없는 칸: %1</translation>
+    </message>
+    <message>
+        <source>Pins here are discs that slide; real pins fall over and sweep others down. The map shows where the pocket lies and how it widens, not how often a real bowler strikes.</source>
+        <translation>여기서 핀은 미끄러지는 원판입니다. 실제 핀은 넘어지면서 다른 핀을 쓸어 넘깁니다. 이 지도는 포켓이 어디에 있고 어떻게 넓어지는지를 보여 줄 뿐, 실제 선수가 스트라이크를 얼마나 자주 치는지를 보여 주지는 않습니다.</translation>
+    </message>
+    <message>
+        <source>needs the name of a file</source>
+        <translation>파일 이름이 필요합니다</translation>
+    </message>
+    <message>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 합니다. 입력한 값: &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>MapWords</name>
+    <message>
+        <source>must be a number, is &quot;%1&quot;</source>
+        <translation>숫자여야 합니다. 적힌 값: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>must be %1, is &quot;%2&quot;</source>
+        <translation>%1이어야 합니다. 적힌 값: &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>is %1, but %2 in %3; the parts of one map are made with the same settings</source>
+        <translation>값이 %1인데 %3에서는 %2입니다. 한 지도의 부분들은 같은 설정으로 만들어야 합니다</translation>
+    </message>
+    <message>
+        <source>is no part of a strike map; line 1 must be &quot;%1&quot;, is &quot;%2&quot;</source>
+        <translation>스트라이크 지도의 부분이 아닙니다. 1행은 &quot;%1&quot;이어야 하는데 &quot;%2&quot;입니다</translation>
+    </message>
+    <message>
+        <source>must have %1 fields, has %2</source>
+        <translation>필드가 %1개여야 하는데 %2개입니다</translation>
+    </message>
+    <message>
+        <source>row %1 is in %2, too; parts must not overlap</source>
+        <translation>지도의 %1행이 %2에도 있습니다. 부분들은 겹치지 않아야 합니다</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 cells, the rows of %4 have %3; make this part again</source>
+        <translation>지도의 %1행에 칸이 %2개인데 %4의 행에는 %3개 있습니다. 이 부분을 다시 만드십시오</translation>
+    </message>
+    <message>
+        <source>row %1 is in none of the files; make it with --rows %1-%1</source>
+        <translation>지도의 %1행이 어느 파일에도 없습니다. --rows %1-%1로 만드십시오</translation>
+    </message>
+    <message>
+        <source>rows %1 to %2 are in none of the files; make them with --rows %1-%2</source>
+        <translation>지도의 %1행부터 %2행까지가 어느 파일에도 없습니다. --rows %1-%2로 만드십시오</translation>
+    </message>
+    <message>
+        <source>has no rows; a part is made with --csv</source>
+        <translation>행이 하나도 없습니다. 부분은 --csv로 만듭니다</translation>
+    </message>
+    <message>
+        <source>%1 cells are too many; at most %2 fit</source>
+        <translation>칸 %1개는 너무 많습니다. 최대 %2개까지 됩니다</translation>
+    </message>
+    <message>
+        <source>must be within 1 to %1</source>
+        <translation>1부터 %1까지의 범위 안이어야 합니다</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, is %3</source>
+        <translation>%1 이상 %2 이하여야 합니다. 입력한 값: %3</translation>
+    </message>
+    <message>
+        <source>must be at least 1</source>
+        <translation>1 이상이어야 합니다</translation>
+    </message>
+    <message>
+        <source>has no meaning on the rack, which has no friction</source>
+        <translation>마찰이 없는 rack에서는 뜻이 없습니다</translation>
+    </message>
+    <message>
+        <source>both axes ask for the same</source>
+        <translation>두 축이 같은 양을 가리킵니다</translation>
+    </message>
+    <message>
+        <source>line %1: </source>
+        <translation>%1번째 줄: </translation>
+    </message>
+    <message>
+        <source>row %1: </source>
+        <translation>지도의 %1행: </translation>
+    </message>
+</context>
+<context>
     <name>NoWindow</name>
     <message>
         <source>this program was built without the window; thetalane --help lists the commands</source>
@@ -190,6 +519,10 @@
     <message>
         <source>picture: this program was built without the window, and cannot draw it</source>
         <translation>picture: 이 프로그램은 창 없이 빌드되어 창을 그릴 수 없습니다</translation>
+    </message>
+    <message>
+        <source>--picture: this program was built without the window, and cannot draw it</source>
+        <translation>--picture: 창 없이 빌드된 프로그램이어서 그림을 그릴 수 없습니다</translation>
     </message>
 </context>
 <context>
@@ -450,6 +783,13 @@
     <message>
         <source>swept engine, step %1 s, passes: %2</source>
         <translation>swept 엔진, 시간 간격 %1 s, 탐색 횟수 %2</translation>
+    </message>
+</context>
+<context>
+    <name>SaveFile</name>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: 쓸 수 없습니다: %2</translation>
     </message>
 </context>
 <context>
@@ -729,6 +1069,187 @@
     <message>
         <source>must be from %1, the foul line, to %2, the end of the lane, is %3</source>
         <translation>파울 라인 %1부터 레인의 끝 %2까지여야 하는데 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreCommandText</name>
+    <message>
+        <source>Traditional scoring</source>
+        <translation>전통 방식 점수 계산</translation>
+    </message>
+    <message>
+        <source>Current-frame scoring (a strike is 30, a spare 10 and its first ball)</source>
+        <translation>커런트 프레임 방식 점수 계산 (스트라이크는 30점, 스페어는 10점에 첫 투구의 핀 수를 더합니다)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Rolls</source>
+        <translation>투구</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>점수</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>누계</translation>
+    </message>
+    <message>
+        <source>Strikes: %1, spares: %2, open frames: %3</source>
+        <translation>스트라이크 %1, 스페어 %2, 오픈 프레임 %3</translation>
+    </message>
+    <message>
+        <source>The game goes on: frame %1, ball %2, %3 pins stand. So far %4 points, at most %5 possible.</source>
+        <translation>게임이 끝나지 않았습니다: 다음은 %1프레임 %2번째 투구이고, 서 있는 핀은 %3개입니다. 지금까지 %4점, 가능한 최고 점수는 %5점입니다.</translation>
+    </message>
+    <message>
+        <source>Total: %1, a perfect game</source>
+        <translation>총점: %1, 퍼펙트 게임</translation>
+    </message>
+    <message>
+        <source>Total: %1</source>
+        <translation>총점: %1</translation>
+    </message>
+    <message>
+        <source>frames separated by spaces: X strike, / spare, 1 to 9, - none, F foul; the tenth with its fill balls, as in XX8</source>
+        <translation>빈칸으로 나눈 프레임들: X 스트라이크, / 스페어, 1부터 9까지의 숫자, - 쓰러진 핀 없음, F 파울. 10프레임은 XX8처럼 보너스 투구까지 붙여 씁니다</translation>
+    </message>
+    <message>
+        <source>traditional unless said</source>
+        <translation>지정하지 않으면 traditional</translation>
+    </message>
+    <message>
+        <source>prints JSON for programs</source>
+        <translation>프로그램에서 읽을 JSON을 출력합니다</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreWords</name>
+    <message>
+        <source>a digit up to %1, - for none, F for a foul or / for a spare</source>
+        <translation>%1 이하의 숫자나 -(없음), F(파울), /(스페어)</translation>
+    </message>
+    <message>
+        <source>- for none, F for a foul or / for a spare</source>
+        <translation>-(없음)나 F(파울), /(스페어)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no roll; rolls are X, /, -, F and the digits 1 to 9</source>
+        <translation>&quot;%1&quot;: 투구 기호가 아닙니다. X, /, -, F와 1부터 9까지의 숫자를 씁니다</translation>
+    </message>
+    <message>
+        <source>0 is no roll; no pins are written -, all ten X</source>
+        <translation>0은 투구 기호가 아닙니다. 쓰러진 핀이 없으면 -, 열 개를 모두 쓰러뜨렸으면 X로 씁니다</translation>
+    </message>
+    <message>
+        <source>X stands for all ten at the first ball; here it must be %1</source>
+        <translation>X는 첫 투구로 핀 열 개를 모두 쓰러뜨렸을 때 씁니다. 여기에는 %1 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>/ needs a ball before it at the same pins; all ten at the first ball are written X</source>
+        <translation>/ 앞에는 같은 핀에 던진 투구가 있어야 합니다. 첫 투구로 열 개를 모두 쓰러뜨렸으면 X로 씁니다</translation>
+    </message>
+    <message>
+        <source>%1 is more than the pins that stand, %2; here it must be %3</source>
+        <translation>%1: 서 있는 핀의 수 %2보다 많습니다. 여기에는 %3 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>%1 takes all pins that stand; a spare is written /</source>
+        <translation>%1: 서 있는 핀을 모두 쓰러뜨린 투구입니다. 스페어는 /로 씁니다</translation>
+    </message>
+    <message>
+        <source>the second ball is missing; after %1 there must be %2, without a space</source>
+        <translation>두 번째 투구가 없습니다. %1 다음에는 빈칸 없이 %2 중 하나를 써야 합니다</translation>
+    </message>
+    <message>
+        <source>the frame is over before &quot;%1&quot; ends; frames are separated by spaces</source>
+        <translation>&quot;%1&quot;에서 프레임이 먼저 끝납니다. 프레임은 빈칸으로 나눕니다</translation>
+    </message>
+    <message>
+        <source>%1 is one roll too many: the game is over; current-frame scoring has no fill balls</source>
+        <translation>%1: 게임이 끝난 뒤의 투구입니다. 커런트 프레임 방식에는 보너스 투구가 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 is one roll too many: the game is over; only a strike earns two fill balls, and a spare one</source>
+        <translation>%1: 게임이 끝난 뒤의 투구입니다. 10프레임의 보너스 투구는 스트라이크 뒤에 두 번, 스페어 뒤에 한 번뿐입니다</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>%1프레임: %2</translation>
+    </message>
+</context>
+<context>
+    <name>StrikeMapFigure</name>
+    <message>
+        <source>pocket</source>
+        <translation>포켓</translation>
+    </message>
+    <message>
+        <source>Pins down</source>
+        <translation>쓰러진 핀</translation>
+    </message>
+    <message>
+        <source>10, strike</source>
+        <translation>10, 스트라이크</translation>
+    </message>
+    <message>
+        <source>no such throw</source>
+        <translation>맞는 투구 없음</translation>
+    </message>
+    <message>
+        <source>Strike map: the rack without friction</source>
+        <translation>스트라이크 지도: 마찰이 없는 핀 배열</translation>
+    </message>
+    <message>
+        <source>Strike map: the whole lane</source>
+        <translation>스트라이크 지도: 레인 전체</translation>
+    </message>
+    <message>
+        <source>Ball %1 kg, %2 m/s</source>
+        <translation>볼 %1 kg, %2 m/s</translation>
+    </message>
+    <message>
+        <source>e = %1</source>
+        <translation>e = %1</translation>
+    </message>
+    <message>
+        <source>%1 throws, %2 strikes</source>
+        <translation>투구 %1번, 스트라이크 %2번</translation>
+    </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation>분당 %1회전</translation>
+    </message>
+    <message>
+        <source>house oil</source>
+        <translation>하우스 오일 패턴</translation>
+    </message>
+    <message>
+        <source>Each cell is a throw of its own, counted by pins that were struck hard enough to tip. Pins here are discs that slide; real pins fall over and sweep others down. Read where the pocket lies and how it widens, not how often a real bowler strikes.</source>
+        <translation>칸 하나가 투구 한 번이며, 넘어질 만큼 세게 맞은 핀을 셉니다. 여기서 핀은 미끄러지는 원판이고, 실제 핀은 넘어지면서 다른 핀을 쓸어 넘깁니다. 포켓이 어디에 있고 어떻게 넓어지는지를 읽으십시오. 실제 선수가 스트라이크를 얼마나 자주 치는지를 뜻하지는 않습니다.</translation>
+    </message>
+    <message>
+        <source>Offset from the head pin, to the right [cm]</source>
+        <translation>헤드핀에서 오른쪽으로 벗어난 거리 [cm]</translation>
+    </message>
+    <message>
+        <source>Entry angle, to the left [°]</source>
+        <translation>입사각 (왼쪽으로) [°]</translation>
+    </message>
+    <message>
+        <source>Speed [m/s]</source>
+        <translation>속력 [m/s]</translation>
+    </message>
+    <message>
+        <source>Spin [rpm]</source>
+        <translation>회전 [분당 회전수]</translation>
+    </message>
+    <message>
+        <source>Weight of the ball [kg]</source>
+        <translation>볼 무게 [kg]</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,7 @@
 #include "core/bowling/pinfall.h"
 
-#include "core/scene/bowling_scene.h"
-
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace thetalane {
@@ -18,6 +17,13 @@ std::vector<int> indicesOf(const std::vector<bool>& flags) {
         if (flags[i])
             out.push_back(int(i));
     return out;
+}
+
+// Of a pin of the rack: "1" to "10". Of any other, the first, so that none is lost.
+int numberOf(const Body& pin) {
+    int number = 0;
+    std::from_chars(pin.id.data(), pin.id.data() + pin.id.size(), number);
+    return std::clamp(number, 1, 10);
 }
 
 } // namespace
@@ -44,15 +50,33 @@ std::vector<int> pinsTouched(const Scene& scene, const Timeline& timeline, doubl
 std::vector<int> pinsDown(const Scene& scene, const Timeline& timeline, double t) {
     const double tipping = pinTippingSpeed();
     std::vector<bool> down(scene.bodies.size(), false);
-    for (std::size_t i = 0; i < down.size(); ++i) {
+    const auto struck = [&](int body, Vec2d after) {
+        if (body >= 0 && isPin(scene, std::size_t(body)) && std::sqrt(dot(after, after)) > tipping)
+            down[std::size_t(body)] = true;
+    };
+    for (const Collision& c : timeline.collisions()) {
+        if (c.time > t)
+            break;
+        struck(c.first, c.steps.after.first);
+        struck(c.second, c.steps.after.second);
+    }
+    for (const Departure& d : timeline.departures())
+        if (d.time <= t && isPin(scene, std::size_t(d.body)))
+            down[std::size_t(d.body)] = true;
+    return indicesOf(down);
+}
+
+PinSet fallenPins(const Scene& scene, const Timeline& timeline) {
+    static const double tipping = pinTippingSpeed();
+    PinSet fallen;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!isPin(scene, i))
             continue;
-        const auto segments = timeline.segments(i);
-        down[i] = std::any_of(segments.begin(), segments.end(), [&](const Segment& s) {
-            return s.start <= t && (norm(s.velocity) > tipping || s.place != Place::Play);
-        });
+        const bool gone = timeline.segments(i).back().place != Place::Play;
+        if (gone || timeline.struckSpeed(i) > tipping)
+            fallen.set(std::size_t(numberOf(scene.bodies[i]) - 1));
     }
-    return indicesOf(down);
+    return fallen;
 }
 
 } // namespace thetalane

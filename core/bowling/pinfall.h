@@ -1,7 +1,7 @@
 // Which pins were touched, and which went down, by a given time.
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/scene/bowling_scene.h"
 #include "core/timeline/timeline.h"
 
 #include <vector>
@@ -12,8 +12,13 @@ namespace thetalane {
 // h up and a base of radius r. About 0.21 m/s for a regulation pin.
 double pinTippingSpeed();
 
-// Body indices, in the order of the scene.
+// Body indices, in the order of the scene. Down is what a collision left with more than the tipping speed,
+// and what left the lane.
 std::vector<int> pinsTouched(const Scene& scene, const Timeline& timeline, double t);
 std::vector<int> pinsDown(const Scene& scene, const Timeline& timeline, double t);
+
+// The pins of the rack that went down by the end of a run, of a summary as well; the scene's pins are named
+// "1" to "10".
+PinSet fallenPins(const Scene& scene, const Timeline& timeline);
 
 } // namespace thetalane

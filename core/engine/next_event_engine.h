@@ -153,7 +153,7 @@ private:
         if (m_recorder.keepsDetail())
             m_recorder.collision(now(), int(i), int(j), Side::Left, collide(first, second, m_restitution));
         else
-            m_recorder.countCollision();
+            m_recorder.countCollision(int(i), int(j), after);
         changedCourse(i, j);
     }
 

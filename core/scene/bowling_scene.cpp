@@ -15,12 +15,18 @@ std::array<Vec2d, 10> pinPositions() {
     return pins;
 }
 
-std::vector<Body> fullRack() {
+std::vector<Body> rackOf(const PinSet& standing) {
     std::vector<Body> rack;
-    rack.reserve(11); // room for the ball in front
-    for (const Vec2d position : pinPositions())
-        rack.push_back({std::to_string(rack.size() + 1), BodyKind::Pin, pinMass, pinRadius, position, {}});
+    rack.reserve(standing.count() + 1); // room for the ball in front
+    const auto positions = pinPositions();
+    for (std::size_t k = 0; k < positions.size(); ++k)
+        if (standing[k])
+            rack.push_back({std::to_string(k + 1), BodyKind::Pin, pinMass, pinRadius, positions[k], {}});
     return rack;
+}
+
+std::vector<Body> fullRack() {
+    return rackOf(allPins);
 }
 
 // Where the plates begin and how they throw back is a guess: no drawing and no measurement of either could be
@@ -48,37 +54,40 @@ Spin<double> throwSpin(const Throw& t) {
     return {-t.spin * pull.y, t.spin * pull.x, 0};
 }
 
-Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction) {
+Body thrownBall(const Throw& t) {
+    const Vec2d velocity{t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)};
+    return {"ball",   BodyKind::Ball, t.mass, ballRadius, {t.position, -foulLineToHeadPin},
+            velocity, throwSpin(t)};
+}
+
+Body rackBall(double offset, double entryAngle, double speed, double mass) {
+    constexpr double start = 0.5; // before the head pin
+    return {"ball",
+            BodyKind::Ball,
+            mass,
+            ballRadius,
+            {offset - start * std::tan(entryAngle), -start},
+            {speed * std::sin(entryAngle), speed * std::cos(entryAngle)}};
+}
+
+Scene bowlingScene(const Throw& t, double restitution, const std::optional<Friction>& friction,
+                   const PinSet& standing) {
     Scene scene;
     scene.title = {"Bowling: the whole lane", "볼링: 레인 전체"};
     scene.restitution = restitution;
-    scene.bodies = fullRack();
-    scene.bodies.insert(scene.bodies.begin(),
-                        Body{"ball",
-                             BodyKind::Ball,
-                             t.mass,
-                             ballRadius,
-                             {t.position, -foulLineToHeadPin},
-                             {t.speed * std::sin(t.direction), t.speed * std::cos(t.direction)},
-                             throwSpin(t)});
+    scene.bodies = rackOf(standing);
+    scene.bodies.insert(scene.bodies.begin(), thrownBall(t));
     scene.lane = regulationLane();
     scene.friction = friction;
     return scene;
 }
 
 Scene rackScene(double offset, double entryAngle, double speed, double restitution) {
-    constexpr double start = 0.5; // before the head pin
     Scene scene;
     scene.title = {"The rack: a ball and ten pins", "핀 열 개와 볼링공"};
     scene.restitution = restitution;
     scene.bodies = fullRack();
-    scene.bodies.insert(scene.bodies.begin(),
-                        Body{"ball",
-                             BodyKind::Ball,
-                             6.8,
-                             ballRadius,
-                             {offset - start * std::tan(entryAngle), -start},
-                             {speed * std::sin(entryAngle), speed * std::cos(entryAngle)}});
+    scene.bodies.insert(scene.bodies.begin(), rackBall(offset, entryAngle, speed));
     return scene;
 }
 

@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 
 #include <array>
+#include <bitset>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -47,7 +48,12 @@ struct Throw {
 // Centres of pins 1 to 10 (index 0 to 9) [m].
 std::array<Vec2d, 10> pinPositions();
 
-// Ten pins named "1" to "10", standing.
+// Some of the ten pins: bit k is pin k + 1.
+using PinSet = std::bitset<10>;
+inline const PinSet allPins = PinSet().set();
+
+// The pins that stand, named "1" to "10".
+std::vector<Body> rackOf(const PinSet& standing);
 std::vector<Body> fullRack();
 
 Lane regulationLane();
@@ -58,10 +64,15 @@ Friction houseFriction();
 // The spin of a ball thrown so, in the axes of the lane [rad/s].
 Spin<double> throwSpin(const Throw& ballThrow);
 
-// One ball at the foul line, the whole lane, a full rack; no friction where none is given. Validity is
-// validate()'s business.
+// The balls of the two scenes below.
+Body thrownBall(const Throw& ballThrow);
+Body rackBall(double offset, double entryAngle, double speed, double mass = Throw{}.mass);
+
+// One ball at the foul line, the whole lane, the pins that stand; no friction where none is given. The ball
+// is the first body. Validity is validate()'s business.
 Scene bowlingScene(const Throw& ballThrow, double restitution = defaultPinRestitution,
-                   const std::optional<Friction>& friction = houseFriction());
+                   const std::optional<Friction>& friction = houseFriction(),
+                   const PinSet& standing = allPins);
 
 // The ball close before the rack, free of the lane: the scene of the frictionless studies.
 // offset [m]: of the ball's path from the head pin; entryAngle [rad]: positive to the right.

@@ -1,10 +1,13 @@
 #include "core/timeline/recorder.h"
 
+#include <cmath>
+
 namespace thetalane {
 
 Recorder::Recorder(std::size_t bodyCount, bool keepDetail)
     : m_bodyCount(bodyCount)
     , m_keepDetail(keepDetail) {
+    m_record.struckSpeeds.assign(bodyCount, 0);
     m_record.segments.reserve(keepDetail ? 4 * bodyCount + 24 : bodyCount);
     m_record.collisions.reserve(keepDetail ? 16 : 0);
 }
@@ -36,6 +39,8 @@ void Recorder::departure(const Departure& departure) {
 }
 
 Timeline Recorder::finish(double endTime, EndReason reason) {
+    for (double& speed : m_record.struckSpeeds)
+        speed = std::sqrt(speed);
     m_record.endTime = endTime;
     m_record.endReason = reason;
     return Timeline(m_bodyCount, std::move(m_record));

@@ -3,6 +3,7 @@
 
 #include "core/timeline/timeline.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace thetalane {
@@ -19,7 +20,7 @@ public:
     template <class Real>
     void collision(double time, int first, int second, Side side, const PairCollision<Real>& steps,
                    int pass = 0) {
-        ++m_record.collisionCount;
+        countCollision(first, second, steps.after);
         if (!m_keepDetail)
             return;
         if constexpr (std::is_same_v<Real, double>)
@@ -27,7 +28,13 @@ public:
         else
             m_record.collisions.push_back({time, first, second, side, 0, pass, 1, convert<double>(steps)});
     }
-    void countCollision() { ++m_record.collisionCount; } // where only the count is kept
+    // Where details are not kept: the velocities after it, of which a wall has none.
+    template <class Real> void countCollision(int first, int second, const VelocityPair<Real>& after) {
+        ++m_record.collisionCount;
+        notice(first, after.first);
+        if (second >= 0)
+            notice(second, after.second);
+    }
     void departure(const Departure& departure);
     void lasting(const LastingContact& contact);
 
@@ -37,6 +44,11 @@ public:
     Timeline finish(double endTime, EndReason reason);
 
 private:
+    template <class Real> void notice(int body, const Vec2<Real>& velocity) {
+        double& fastest = m_record.struckSpeeds[std::size_t(body)]; // squared until the end
+        fastest = std::max(fastest, static_cast<double>(dot(velocity, velocity)));
+    }
+
     std::size_t m_bodyCount;
     bool m_keepDetail;
     TimelineRecord m_record;

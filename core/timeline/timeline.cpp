@@ -66,6 +66,7 @@ Timeline::Timeline(std::size_t bodyCount, TimelineRecord record)
     , m_collisions(std::move(record.collisions))
     , m_departures(std::move(record.departures))
     , m_lasting(std::move(record.lasting))
+    , m_struckSpeeds(std::move(record.struckSpeeds))
     , m_collisionCount(record.collisionCount)
     , m_endTime(record.endTime)
     , m_endReason(record.endReason) {

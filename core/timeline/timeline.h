@@ -86,7 +86,8 @@ struct TimelineRecord {
     std::vector<Collision> collisions;
     std::vector<Departure> departures;
     std::vector<LastingContact> lasting;
-    std::int64_t collisionCount = 0; // may exceed collisions.size(): a summary keeps none
+    std::vector<double> struckSpeeds; // of the bodies, or none
+    std::int64_t collisionCount = 0;  // may exceed collisions.size(): a summary keeps none
     double endTime = 0;
     EndReason endReason = EndReason::Until;
 };
@@ -112,6 +113,12 @@ public:
     // How it turns in each of them; empty in a scene without friction.
     std::span<const Rotation> rotations(std::size_t body) const;
 
+    // The greatest speed that any of its collisions left the body with [m/s]; 0 where it had none. A summary
+    // knows it, too.
+    double struckSpeed(std::size_t body) const {
+        return body < m_struckSpeeds.size() ? m_struckSpeeds[body] : 0;
+    }
+
     // The state at t, clamped to [0, endTime()]. At the very time of an event: after it.
     BodyState bodyAt(std::size_t body, double t) const;
     std::vector<BodyState> stateAt(double t) const;
@@ -129,6 +136,7 @@ private:
     std::vector<Collision> m_collisions;
     std::vector<Departure> m_departures;
     std::vector<LastingContact> m_lasting;
+    std::vector<double> m_struckSpeeds;
     std::int64_t m_collisionCount = 0;
     double m_endTime = 0;
     EndReason m_endReason = EndReason::Until;
