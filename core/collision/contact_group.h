@@ -6,6 +6,7 @@
 
 #include "core/collision/pair_collision.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,22 @@ GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
 template <class Real>
 GroupSolution<Real> solveForces(std::span<const GroupContact<Real>> contacts,
                                 std::span<const Real> inverseMass);
+
+template <class Real> Real largestDemand(const std::vector<GroupContact<Real>>& contacts) {
+    using std::abs;
+    Real largest(0);
+    for (const GroupContact<Real>& c : contacts)
+        largest = std::max(largest, Real(abs(c.demand)));
+    return largest;
+}
+// The contact still closes, by more than the rounding of what was asked for: it is between bodies that cannot
+// be moved.
+template <class Real>
+bool isUnmet(const GroupContact<Real>& c, const GroupSolution<Real>& solution, const Real& largest) {
+    const Vec2<Real> second = c.second == c.wall ? Vec2<Real>{} : solution.change[c.second];
+    const Real rounding = 65536 * std::numeric_limits<Real>::epsilon() * largest;
+    return c.demand + dot(c.normal, solution.change[c.first] - second) < -rounding;
+}
 
 // The five steps for one contact of several that were resolved together: `impulse` is its own, `after` what
 // all of them together left. `momentumResidual` is of the two bodies as if alone: the caller's to overwrite.

@@ -60,6 +60,7 @@ public:
 
     // Slower bodies are held by the floor; whoever still comes upon them is stopped by them, without bounce.
     void stopBelow(const Real& speed) {
+        m_after = m_velocities;
         bool stopped = false;
         std::vector<Real> inverseMass;
         for (Index b = 0; b < m_velocities.size(); ++b) {
@@ -72,9 +73,15 @@ public:
         if (!stopped || !planApproaching())
             return;
         planAll();
-        const auto solution = solveForces<Real>(plannedContacts(), inverseMass);
+        const auto contacts = plannedContacts();
+        const auto solution = solveForces<Real>(contacts, inverseMass);
         for (Index b = 0; b < m_velocities.size(); ++b)
             m_velocities[b] = m_velocities[b] + solution.change[b];
+        const Real scale = largestDemand<Real>(contacts);
+        // Between bodies that are stopped there may be no way out: then none is.
+        if (std::any_of(contacts.begin(), contacts.end(),
+                        [&](const auto& c) { return isUnmet<Real>(c, solution, scale); }))
+            m_velocities = m_after;
     }
 
     static constexpr int passesPerBody = 32;
