@@ -3,6 +3,7 @@
 
 #include "core/engine/engine.h"
 
+#include <optional>
 #include <vector>
 
 namespace thetalane {
@@ -46,6 +47,9 @@ bool hasModel(const Scene& scene, Model model);
 
 // The scene without the models that the method leaves out.
 Scene sceneFor(const Method& method, Scene scene);
+
+// Why the engine would not run it, found out without a whole run.
+std::optional<Refusal> refusalOf(const Method& method, const Scene& scene, double until);
 
 // Detail: with the list of collisions. The run, or why the engine will not run it.
 std::variant<Run, Refusal> runMethod(const Method& method, const Scene& scene, double until,
