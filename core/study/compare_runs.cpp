@@ -78,8 +78,7 @@ CaseError compareRuns(const Run& truth, const Run& run, double until) {
     CaseError error;
     error.collisions = run.timeline.collisionCount();
     error.sameTouched = touched(truth, until) == touched(run, until);
-    error.sameDown =
-        pinsDown(truth.scene, truth.timeline, until) == pinsDown(run.scene, run.timeline, until);
+    error.sameDown = pinsDown(truth.scene, truth.timeline, until) == pinsDown(run.scene, run.timeline, until);
     if (const auto k = firstDifference(truth.timeline, run.timeline)) {
         const auto list = truth.timeline.collisions();
         error.firstDifference = int(*k);

@@ -28,7 +28,7 @@ private:
     std::vector<Scene> m_scenes;
     double m_until;
     std::vector<Method> m_methods;
-    std::vector<int> m_times; // that a round runs the cases, so that the clock can tell
+    std::vector<int> m_times;                 // that a round runs the cases, so that the clock can tell
     std::vector<std::vector<double>> m_taken; // of each method, a round each [µs]
     double m_spent = 0;
 };

@@ -21,7 +21,7 @@ public:
     // some ten times a second.
     void measure(std::size_t end, int threads, const std::function<void()>& meanwhile, std::stop_token stop);
 
-    std::size_t casesDone() const; // with every method
+    std::size_t casesDone() const;                             // with every method
     std::vector<CaseError> errorsOf(std::size_t method) const; // of the cases done with it
     double fewestDigits() const;                               // that the truth has left in the end
 

@@ -8,8 +8,8 @@
 namespace thetalane {
 
 struct Truth {
-    Method method;    // as asked for, or in double where 113 bits are too dear
-    double until = 0; // [s]; that far it got
+    Method method;                    // as asked for, or in double where 113 bits are too dear
+    double until = 0;                 // [s]; that far it got
     std::shared_ptr<const Run> first; // of the first case
 };
 

@@ -16,7 +16,8 @@ enum class Marker { None, Circle, Square, Triangle, Diamond, Cross, Star };
 struct PlotPoint {
     double x = 0;
     double y = 0;
-    QString label; // beside the point, and on hover; may be empty
+    QString label;   // beside the point, where there is room; may be empty
+    QString hover{}; // under the mouse; else the name of the series and the label
     // From the lower to the upper quartile, where they are known.
     std::optional<std::pair<double, double>> spreadX{};
 };
