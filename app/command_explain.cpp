@@ -37,7 +37,7 @@ void printExplanation(const Run& run, std::size_t index, Language::Code language
     const Instant instant = instantOf(run.timeline.collisions(), index);
     if (instant.size > 1) {
         printLine(instantText(instant, index) + QStringLiteral("."));
-        printLine(instantRule(instant, run.settings.kind));
+        printLine(instantRule(instant, run.settings));
     }
     for (const WorkedStep& step : workedSteps(run.scene, run.timeline.collisions(), index))
         printStep(step);

@@ -24,11 +24,22 @@ struct RunReportText {
 constexpr int timeDigits = 6; // collisions of one break follow each other by a millisecond
 
 QString engineText(const EngineSettings& s) {
-    QString text = s.kind == EngineKind::Event
-                       ? RunReportText::tr("event engine")
-                       : RunReportText::tr("stepped engine, step %1 s").arg(numberText(s.step));
-    if (s.kind == EngineKind::Stepped && s.approachingOnly)
-        text += ", " + RunReportText::tr("approaching only");
+    QString text;
+    switch (s.kind) {
+    case EngineKind::Event:
+        text = RunReportText::tr("event engine");
+        if (!s.ties)
+            text += ", " + RunReportText::tr("one contact at a time");
+        break;
+    case EngineKind::Stepped:
+        text = RunReportText::tr("stepped engine, step %1 s").arg(numberText(s.step));
+        if (s.approachingOnly)
+            text += ", " + RunReportText::tr("approaching only");
+        break;
+    case EngineKind::Swept:
+        text = RunReportText::tr("swept engine, step %1 s, passes: %2").arg(numberText(s.step)).arg(s.passes);
+        break;
+    }
     return text + ", " + fileName(s.precision);
 }
 

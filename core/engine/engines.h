@@ -13,5 +13,7 @@ Timeline runNextEvent(const Scene& scene, const EngineSettings& settings,
 // Apart, as Quad compiles slowly; always by all pairs.
 Timeline runNextEventQuad(const Scene& scene, const EngineSettings& settings);
 Timeline runStepped(const Scene& scene, const EngineSettings& settings);
+Timeline runSwept(const Scene& scene, const EngineSettings& settings);
+Timeline runSweptQuad(const Scene& scene, const EngineSettings& settings); // apart for the same reason
 
 } // namespace thetalane

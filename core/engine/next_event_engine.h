@@ -27,7 +27,7 @@ public:
         , m_restitution(scene.restitution)
         , m_settings(settings)
         , m_recorder(scene.bodies.size(), settings.keepDetail)
-        , m_settlement(scene, m_search, m_around, m_recorder) {}
+        , m_settlement(scene, m_search, m_around, m_recorder, settings.ties) {}
 
     // To go on from where another engine of the same scene and settings was; settings.keepDetail may differ.
     NextEventEngine(const Scene& scene, const EngineSettings& settings, const State& state)
@@ -35,7 +35,7 @@ public:
         , m_restitution(scene.restitution)
         , m_settings(settings)
         , m_recorder(scene.bodies.size(), settings.keepDetail)
-        , m_settlement(scene, m_search, m_around, m_recorder) {}
+        , m_settlement(scene, m_search, m_around, m_recorder, settings.ties) {}
 
     // The rooms refer to each other.
     NextEventEngine(const NextEventEngine&) = delete;

@@ -5,11 +5,14 @@
 // contact at a time; a ball on two pins strikes both at once.
 // Inelastic cascades: when an instant has seen too many passes and e < 1, all that touch are brought to rest
 // against each other in one perfectly inelastic pass.
+// Without `ties` each pass has one contact alone: what most programs do, to be compared with.
 #pragma once
 
 #include "core/collision/contact_group.h"
 #include "core/engine/contact_cluster.h"
 #include "core/engine/pressing.h"
+
+#include <tuple>
 
 namespace thetalane {
 
@@ -19,11 +22,12 @@ public:
     using Velocities = std::vector<Vec2<Real>>;
 
     Settlement(const Scene& scene, Search& search, const Surroundings<Real, Models>& around,
-               Recorder& recorder)
+               Recorder& recorder, bool ties)
         : m_search(search)
         , m_around(around)
         , m_recorder(recorder)
-        , m_cluster(search, around, Real(scene.restitution)) {}
+        , m_cluster(search, around, Real(scene.restitution))
+        , m_ties(ties) {}
 
     // The cluster about the event, moved to now by `move`; its velocities.
     template <class Move> void gather(const ContactName& event, const Real& now, Move&& move) {
@@ -42,7 +46,7 @@ public:
     // Passes until none approaches. `slowestRebound(touch, velocities)`: a contact that would part no faster
     // lasts, and so does not bounce.
     template <class SlowestRebound> void reflect(double time, SlowestRebound&& slowestRebound) {
-        const int most = passesPerBody * int(m_cluster.bodies().size());
+        const int most = passesPerBody * int(m_ties ? m_cluster.bodies().size() : m_cluster.touches().size());
         for (int pass = 1; planApproaching(); ++pass) {
             if ((pass > most && losesEnergy()) || endsAtOnce())
                 return closeAll(time, slowestRebound);
@@ -101,6 +105,8 @@ private:
         return u < Real(0) && u * u > noise * noise * (dot(a, a) + dot(b, b));
     }
 
+    static auto inOrder(const ContactName& n) { return std::tuple(n.first, n.second, n.side); }
+
     bool planApproaching() {
         m_plan.clear();
         const auto& touches = m_cluster.touches();
@@ -108,6 +114,10 @@ private:
             if (approaches(touches[k]))
                 m_plan.push_back(
                     {.touch = k, .restitution = touches[k].restitution, .opening = opening(touches[k])});
+        if (!m_ties && m_plan.size() > 1) // the first in the order of the scene
+            m_plan = {*std::min_element(m_plan.begin(), m_plan.end(), [&](auto& a, auto& b) {
+                return inOrder(touches[a.touch].name) < inOrder(touches[b.touch].name);
+            })};
         return !m_plan.empty();
     }
     bool losesEnergy() const {
@@ -116,7 +126,7 @@ private:
 
     // Without any bounce the passes to and fro would end where one pass over all contacts ends.
     bool endsAtOnce() const {
-        return m_cluster.touches().size() > 1 &&
+        return m_ties && m_cluster.touches().size() > 1 &&
                std::all_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution == Real(0); });
     }
 
@@ -286,6 +296,7 @@ private:
     std::vector<Planned> m_plan;
     PairCollision<Real> m_alone; // of a pass with one contact
     int m_passes = 0;
+    bool m_ties;
 };
 
 } // namespace thetalane

@@ -1,11 +1,13 @@
-// The paper's loop, with its faults: it moves all bodies by v·h and then exchanges every pair that overlaps,
-// in the order of the scene, whether or not the two approach, then the walls. Fast bodies skip through each
-// other, and a pair that still overlaps one step later is exchanged again. `approachingOnly` mends the second
-// fault.
+// The paper's loop, with its faults: it moves all bodies by a step and then exchanges every pair that
+// overlaps, in the order of the scene, whether or not the two approach, then the walls. Fast bodies skip
+// through each other, and a pair that still overlaps one step later is exchanged again. `approachingOnly`
+// mends the second fault.
+//
+// A body moves by v·h; on a floor with friction, by what the closed form of its motion says for h.
 #include "core/engine/engines.h"
-#include "core/engine/models.h"
+#include "core/engine/step_motion.h"
+#include "core/engine/surroundings.h"
 #include "core/math/quad.h"
-#include "core/timeline/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +16,17 @@
 namespace thetalane {
 namespace {
 
-template <class Real> class SteppedEngine {
+template <class Real, class Models> class SteppedEngine {
 public:
     SteppedEngine(const Scene& scene, const EngineSettings& settings)
         : m_settings(settings)
         , m_restitution(scene.restitution)
-        , m_hasFrame(scene.frame)
-        , m_hasLane(scene.lane)
-        , m_walls(scene.frame)
-        , m_lane(scene.lane)
+        , m_around(scene)
+        , m_motion(scene, Real(settings.step))
         , m_changed(scene.bodies.size(), true)
-        , m_places(scene.bodies.size())
         , m_recorder(scene.bodies.size(), settings.keepDetail) {
-        for (const Body& b : scene.bodies)
-            m_discs.push_back(
-                {Real(b.mass), Real(b.radius), convert<Real>(b.position), convert<Real>(b.velocity)});
+        for (std::size_t i = 0; i < count(); ++i)
+            m_discs.push_back(m_motion.discs().disc(i));
     }
 
     Timeline run() {
@@ -38,30 +36,44 @@ public:
         const auto steps = std::int64_t(m_settings.until / m_settings.step * (1 + 1e-12));
         for (std::int64_t k = 1; k <= steps; ++k) {
             const double time = std::min(double(k) * m_settings.step, m_settings.until); // 3 · 0.1 > 0.3
-            for (Disc<Real>& d : m_discs)
-                d.position = d.position + d.velocity * h;
-            const bool full = exchangePairs(time) || (m_hasFrame && exchangeWithWalls(time));
-            if (m_hasLane)
+            move(h, double(k - 1) * m_settings.step, time);
+            const bool full = exchangePairs(time) || exchangeWithWalls(time);
+            if constexpr (Models::lane)
                 crossEdges(time);
+            goOnChanged(time);
             recordChanged(time);
             if (full)
                 return m_recorder.finish(time, EndReason::MaxCollisions);
-            if (atRest())
+            if (m_motion.allAtRest())
                 return m_recorder.finish(time, EndReason::AtRest);
         }
+        if constexpr (Models::friction) // who stops in what is left is not to turn back
+            move(Real(std::max(0.0, m_settings.until - double(steps) * m_settings.step)),
+                 double(steps) * m_settings.step, m_settings.until);
         return m_recorder.finish(m_settings.until, EndReason::Until);
     }
 
 private:
-    std::size_t count() const { return m_discs.size(); }
-    bool inPlay(std::size_t i) const { return m_places[i].place == Place::Play; }
+    std::size_t count() const { return m_motion.discs().count(); }
     bool full() const { return m_recorder.collisionCount() >= m_settings.maxCollisions; }
+
+    void move(const Real& step, double from, double to) {
+        m_motion.advance(
+            step, [this](std::size_t i) { return m_around.inPlay(i); },
+            [&](std::size_t i, const Real& at) { record(i, std::min(from + static_cast<double>(at), to)); });
+        const auto& moved = m_motion.discs();
+        for (std::size_t i = 0; i < count(); ++i) {
+            m_discs[i].position = moved.positionAt(i, Real(0));
+            if constexpr (Models::friction)
+                m_discs[i].velocity = moved.velocityAt(i, Real(0));
+        }
+    }
 
     // True when the most collisions allowed have happened.
     bool exchangePairs(double time) {
         for (std::size_t i = 0; i < count(); ++i) {
             for (std::size_t j = i + 1; j < count(); ++j) {
-                if (!touch(i, j) || !inPlay(i) || !inPlay(j) ||
+                if (!touch(i, j) || !m_around.inPlay(i) || !m_around.inPlay(j) ||
                     (m_settings.approachingOnly && !approach(i, j)))
                     continue;
                 const auto steps = collide(m_discs[i], m_discs[j], m_restitution);
@@ -76,22 +88,23 @@ private:
         return false;
     }
 
+    // And with the plates beside the pins. True as above.
     bool exchangeWithWalls(double time) {
-        for (std::size_t i = 0; i < count(); ++i) {
-            for (const Side side : sides) {
+        bool filled = false;
+        for (std::size_t i = 0; i < count() && !filled; ++i) {
+            m_around.forEachWall(i, [&](EventKind kind, Side side, const Real& wall) {
                 Disc<Real>& d = m_discs[i];
-                const auto a = approachTo(side, m_walls.at[int(side)], d.position, d.velocity, d.radius);
-                if (a.gap > 0 || (m_settings.approachingOnly && !(a.speed > 0)))
-                    continue;
-                const auto steps = collideWithSide(d, side, m_walls.restitution);
+                const auto a = approachTo(side, wall, d.position, d.velocity, d.radius);
+                if (filled || a.gap > 0 || (m_settings.approachingOnly && !(a.speed > 0)))
+                    return;
+                const auto steps = collideWithSide(d, side, m_around.restitutionOf(kind));
                 d.velocity = steps.after.first;
                 m_changed[i] = true;
                 m_recorder.collision(time, int(i), -1, side, steps);
-                if (full())
-                    return true;
-            }
+                filled = full();
+            });
         }
-        return false;
+        return filled;
     }
 
     // Z <= rA + rB, with the root taken only for pairs it could decide.
@@ -109,62 +122,83 @@ private:
 
     void crossEdges(double time) {
         for (std::size_t i = 0; i < count(); ++i) {
-            const auto edge = nextLaneEvent<Real>(m_lane, m_discs[i].position, m_discs[i].velocity, {},
-                                                  m_discs[i].radius, m_places[i]);
+            LanePlace& where = m_around.placeOf(i);
+            Disc<Real>& d = m_discs[i];
+            const auto edge =
+                nextLaneEvent<Real>(m_around.lane(), d.position, d.velocity, {}, d.radius, where);
             if (edge.event == LaneEvent::None || edge.in > 0)
                 continue;
-            const Place before = m_places[i].place;
-            applyLaneEvent(edge.event, m_lane, m_discs[i].position, m_discs[i].velocity, m_places[i]);
-            if (m_places[i].place != before)
-                m_recorder.departure({time, int(i), m_places[i].place});
+            const Place before = where.place;
+            applyLaneEvent(edge.event, m_around.lane(), d.position, d.velocity, where);
+            if (where.place != before)
+                m_recorder.departure({time, int(i), where.place});
             m_changed[i] = true;
         }
     }
 
-    void recordChanged(double time) {
+    void goOnChanged(double time) {
         for (std::size_t i = 0; i < count(); ++i) {
+            if constexpr (Models::lane && Models::friction)
+                stopInTheGutter(i, time);
             if (!m_changed[i])
                 continue;
-            m_recorder.segment(int(i), {time,
-                                        convert<double>(m_discs[i].position),
-                                        convert<double>(m_discs[i].velocity),
-                                        {},
-                                        m_places[i].place});
+            if constexpr (Models::friction)
+                m_motion.moveTo(i, Real(0));
+            m_motion.goOn(i, m_discs[i].velocity, Real(0), m_around.inPlay(i));
+        }
+    }
+
+    // A pin that flies over the gutter falls into it where friction stops it.
+    void stopInTheGutter(std::size_t i, double time) {
+        if (m_around.placeOf(i).flying == 0 || !m_motion.atRest(i) || m_changed[i])
+            return;
+        m_around.placeOf(i) = {Place::Gutter};
+        m_recorder.departure({time, int(i), Place::Gutter});
+        m_changed[i] = true;
+    }
+
+    void record(std::size_t i, double time) { m_motion.record(m_recorder, i, time, m_around.place(i)); }
+
+    void recordChanged(double time) {
+        for (std::size_t i = 0; i < count(); ++i) {
+            if (m_changed[i])
+                record(i, time);
             m_changed[i] = false;
         }
     }
 
-    bool atRest() const {
-        for (const Disc<Real>& d : m_discs)
-            if (!(d.velocity == Vec2<Real>{}))
-                return false;
-        return true;
-    }
-
     EngineSettings m_settings;
     Real m_restitution;
-    bool m_hasFrame;
-    bool m_hasLane;
-    Walls<Real> m_walls;
-    LaneEdges<Real> m_lane;
-    std::vector<Disc<Real>> m_discs;
+    Surroundings<Real, Models> m_around;
+    StepMotion<Real, Models::friction> m_motion;
+    std::vector<Disc<Real>> m_discs; // where the step's motion put them
     std::vector<char> m_changed;
-    std::vector<LanePlace> m_places;
     Recorder m_recorder;
 };
+
+template <class Real> Timeline run(const Scene& scene, const EngineSettings& settings) {
+    const Requirements needs = requirementsOf(scene);
+    if (needs.friction)
+        return SteppedEngine<Real, Models<true, true, true>>(scene, settings).run();
+    if (needs.lane)
+        return SteppedEngine<Real, Models<true, true, false>>(scene, settings).run();
+    if (needs.frame)
+        return SteppedEngine<Real, Models<true, false, false>>(scene, settings).run();
+    return SteppedEngine<Real, Models<false, false, false>>(scene, settings).run();
+}
 
 } // namespace
 
 Timeline runStepped(const Scene& scene, const EngineSettings& settings) {
     switch (settings.precision) {
     case Precision::Float:
-        return SteppedEngine<float>(scene, settings).run();
+        return run<float>(scene, settings);
     case Precision::Double:
-        return SteppedEngine<double>(scene, settings).run();
+        return run<double>(scene, settings);
     case Precision::Quad:
         break;
     }
-    return SteppedEngine<Quad>(scene, settings).run();
+    return run<Quad>(scene, settings);
 }
 
 } // namespace thetalane

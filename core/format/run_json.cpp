@@ -60,13 +60,14 @@ QByteArray collisionText(const Run& run, const Collision& c, std::size_t number)
 
 void writeHead(const Run& run, Output& out) {
     const EngineSettings& s = run.settings;
-    const bool stepped = s.kind == EngineKind::Stepped;
+    const bool event = s.kind == EngineKind::Event, stepped = s.kind == EngineKind::Stepped;
     out << "{\n  \"format\": \"thetalane-run\", \"version\": 1, \"engine\": " + quoted(fileName(s.kind)) +
                ", \"precision\": " + quoted(fileName(s.precision)) +
-               ", \"step\": " + (stepped ? jsonNumber(s.step) : QByteArray("null")) +
+               ", \"step\": " + (event ? QByteArray("null") : jsonNumber(s.step)) +
                (stepped && s.approachingOnly ? ", \"approaching_only\": true" : "") +
-               ", \"until\": " + jsonNumber(s.until);
-    if (run.scene.friction && !stepped)
+               (s.kind == EngineKind::Swept ? ", \"passes\": " + QByteArray::number(s.passes) : "") +
+               (event && !s.ties ? ", \"one_at_a_time\": true" : "") + ", \"until\": " + jsonNumber(s.until);
+    if (run.scene.friction && event)
         out << ", \"contact_time\": " + jsonNumber(s.contactTime);
     out << ",\n  \"collision_count\": " + QByteArray::number(qlonglong(run.timeline.collisionCount()));
 }

@@ -15,7 +15,15 @@ std::string nameOf(const Scene& scene, int second, Side side) {
 } // namespace
 
 const char* fileName(EngineKind kind) {
-    return kind == EngineKind::Event ? "event" : "stepped";
+    switch (kind) {
+    case EngineKind::Event:
+        return "event";
+    case EngineKind::Stepped:
+        return "stepped";
+    case EngineKind::Swept:
+        return "swept";
+    }
+    return "";
 }
 
 const char* fileName(Precision precision) {

@@ -113,8 +113,9 @@ private slots:
         const Instant last = instantOf(run.timeline.collisions(), 2);
         QVERIFY(instantText(last, 2).contains(korean() ? "한 번에 하나씩" : "one pass after another"));
         const Instant first = instantOf(run.timeline.collisions(), 0);
-        QVERIFY(instantRule(last, EngineKind::Event) != instantRule(first, EngineKind::Event));
-        QVERIFY(instantRule(last, EngineKind::Stepped).contains(korean() ? "논문" : "The paper's loop"));
+        QVERIFY(instantRule(last, EngineSettings{}) != instantRule(first, EngineSettings{}));
+        QVERIFY(instantRule(last, EngineSettings{.kind = EngineKind::Stepped})
+                    .contains(korean() ? "논문" : "The paper's loop"));
     }
 
     // λ = 0 where the others part the two faster than e asks.

@@ -17,23 +17,46 @@ namespace {
 
 struct Choice {
     EngineKind kind;
-    double step; // [s]; of no meaning to the exact one
-    bool approachingOnly;
+    double step;          // [s]; of no meaning to the exact one
+    bool approachingOnly; // of the paper's loop
 };
 
 constexpr std::array choices{
     Choice{EngineKind::Event, 0, false}, Choice{EngineKind::Stepped, 1.0 / 60, false},
-    Choice{EngineKind::Stepped, 1.0 / 1000, false}, Choice{EngineKind::Stepped, 1.0 / 60, true}};
+    Choice{EngineKind::Stepped, 1.0 / 1000, false}, Choice{EngineKind::Stepped, 1.0 / 60, true},
+    Choice{EngineKind::Swept, 1.0 / 60, false}};
+
+bool isOf(const EngineSettings& s, const Choice& c) {
+    if (s.kind != c.kind)
+        return false;
+    switch (c.kind) {
+    case EngineKind::Event:
+        return s.ties;
+    case EngineKind::Stepped:
+        return s.step == c.step && s.approachingOnly == c.approachingOnly;
+    case EngineKind::Swept:
+        break;
+    }
+    return s.step == c.step && s.passes == 1;
+}
 
 int indexOf(const EngineSettings& settings) {
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        const Choice& c = choices[i];
-        if (c.kind == settings.kind &&
-            (c.kind == EngineKind::Event ||
-             (c.step == settings.step && c.approachingOnly == settings.approachingOnly)))
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        if (isOf(settings, choices[i]))
             return int(i);
-    }
     return -1;
+}
+
+EngineSettings with(EngineSettings s, const Choice& c) {
+    s.kind = c.kind;
+    s.ties = s.ties || c.kind == EngineKind::Event;
+    if (c.kind != EngineKind::Event)
+        s.step = c.step;
+    if (c.kind == EngineKind::Stepped)
+        s.approachingOnly = c.approachingOnly;
+    if (c.kind == EngineKind::Swept)
+        s.passes = 1;
+    return s;
 }
 
 QString stepText(double step) {
@@ -64,16 +87,27 @@ EngineChooser::EngineChooser(const Context& context, QWidget* parent)
 void EngineChooser::retranslate() {
     m_combo->setAccessibleName(tr("Way of computing"));
     m_combo->setToolTip(
-        tr("How contacts are found: exactly, from one to the next, or by the paper's loop, which moves "
-           "everything by a fixed step and then tests for overlap"));
-    m_combo->setItemText(0, tr("Exact (next event)"));
-    for (int i = 1; i < m_combo->count(); ++i) {
-        const Choice& c = choices[std::size_t(i)];
-        m_combo->setItemText(
-            i, (c.approachingOnly ? tr("Paper's loop, %1, approaching only") : tr("Paper's loop, %1"))
-                   .arg(stepText(c.step)));
-    }
+        tr("How contacts are found: exactly, from one to the next; by the paper's loop, which moves "
+           "everything by a fixed step and then tests for overlap; or by swept steps, which look for the "
+           "instant of contact within a step, but see what a body hits next only in the step after"));
+    for (int i = 0; i < m_combo->count(); ++i)
+        m_combo->setItemText(i, engineText(with({}, choices[std::size_t(i)])));
     showCurrent();
+}
+
+QString EngineChooser::engineText(const EngineSettings& s) {
+    const QString step = stepText(s.step);
+    switch (s.kind) {
+    case EngineKind::Event:
+        return s.ties ? tr("Exact (next event)") : tr("Next event, one contact at a time");
+    case EngineKind::Stepped:
+        return (s.approachingOnly ? tr("Paper's loop, %1, approaching only") : tr("Paper's loop, %1"))
+            .arg(step);
+    case EngineKind::Swept:
+        break;
+    }
+    return s.passes == 1 ? tr("Swept steps, %1").arg(step)
+                         : tr("Swept steps, %1, passes: %2").arg(step).arg(s.passes);
 }
 
 void EngineChooser::restyle() {
@@ -86,18 +120,12 @@ void EngineChooser::restyle() {
 
 void EngineChooser::showCurrent() {
     const EngineSettings& settings = session().run()->settings;
-    m_combo->setPlaceholderText(tr("Paper's loop, %1").arg(stepText(settings.step)));
+    m_combo->setPlaceholderText(engineText(settings));
     m_combo->setCurrentIndex(indexOf(settings));
 }
 
 void EngineChooser::choose(int index) {
-    EngineSettings settings = session().run()->settings;
-    const Choice& choice = choices[std::size_t(index)];
-    settings.kind = choice.kind;
-    if (choice.kind == EngineKind::Stepped) {
-        settings.step = choice.step;
-        settings.approachingOnly = choice.approachingOnly;
-    }
+    const EngineSettings settings = with(session().run()->settings, choices[std::size_t(index)]);
     if (settings == session().run()->settings)
         return;
     if (const auto refusal = session().setEngine(settings)) {

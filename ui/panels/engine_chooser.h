@@ -1,4 +1,4 @@
-// How contacts are found: exactly, or by the paper's loop with its step.
+// How contacts are found: exactly, by the paper's loop with its step, or by swept steps.
 #pragma once
 
 #include "ui/panels/panel.h"
@@ -20,6 +20,7 @@ protected:
 private:
     void choose(int index);
     void showCurrent();
+    static QString engineText(const EngineSettings& settings);
 
     QComboBox* m_combo;
 };

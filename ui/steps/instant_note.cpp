@@ -122,7 +122,7 @@ void InstantNote::say() {
     m_place->setText(instantText(m_instant, m_index));
     m_why->setText(instantQuestion(m_instant));
     m_why->setAccessibleName(instantQuestion(m_instant));
-    const QString rule = instantRule(m_instant, m_context.session.run()->settings.kind);
+    const QString rule = instantRule(m_instant, m_context.session.run()->settings);
     m_why->setToolTip(rule + QStringLiteral(" (F1)"));
     m_rule->setText(rule);
     const auto collisions = m_context.session.timeline().collisions();

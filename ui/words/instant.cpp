@@ -70,8 +70,13 @@ QString instantQuestion(const Instant& i) {
                           : QCoreApplication::translate("Instant", "Why one after another?");
 }
 
-QString instantRule(const Instant& i, EngineKind engine) {
-    if (engine == EngineKind::Stepped)
+QString instantRule(const Instant& i, const EngineSettings& engine) {
+    if (engine.kind == EngineKind::Swept || (engine.kind == EngineKind::Event && !engine.ties))
+        return QCoreApplication::translate(
+            "Instant", "Here contacts of one instant are exchanged one at a time, in the order of the list. "
+                       "The outcome depends on that order, and what is symmetric does not stay so; the exact "
+                       "way resolves such contacts together.");
+    if (engine.kind == EngineKind::Stepped)
         return QCoreApplication::translate(
             "Instant", "The paper's loop goes through the pairs at every step and exchanges each that "
                        "overlaps by itself, in the order of the list. The outcome depends on that order, and "

@@ -39,7 +39,7 @@ QString instantText(const Instant& instant, std::size_t index);
 
 // The question a reader has, and the rule that answers it, in a few sentences.
 QString instantQuestion(const Instant& instant); // "Why together?"
-QString instantRule(const Instant& instant, EngineKind engine);
+QString instantRule(const Instant& instant, const EngineSettings& engine);
 
 QString contactName(const Scene& scene, const Collision& collision); // "A → C"
 

@@ -218,6 +218,8 @@ QString refusalMessage(const Refusal& refusal) {
     case RefusalReason::UntilNotPositive:
     case RefusalReason::StepNotPositive:
     case RefusalReason::MaxCollisionsNotPositive:
+    case RefusalReason::PassesNotPositive:
+    case RefusalReason::ContactTimeNotPositive:
         break;
     }
     return SceneText::tr("must be greater than 0, is %1").arg(digits(refusal.value));
