@@ -2,7 +2,7 @@
 
 #include "app/console.h"
 #include "app/text_table.h"
-#include "core/study/digits_left.h"
+#include "core/format/run_names.h"
 #include "ui/words/method_text.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
@@ -99,6 +99,12 @@ void printNotes(const StudyResult& result) {
         printLine(
             StudyReportText::tr("Digits that chaos leaves of the truth at the last collision, at least: %1")
                 .arg(QString::number(result.truthDigits, 'f', 1)));
+    for (const MethodResult& r : result.methods)
+        if (r.digitsAsked > 0 && !(r.method == result.truth))
+            printLine(StudyReportText::tr(
+                          "Digits left of %1: said within one digit of the truth at %2 of %3 collisions.")
+                          .arg(methodText(r.method), percent(r.digitsRight))
+                          .arg(r.digitsAsked));
     if (result.cancelled)
         printLine(StudyReportText::tr("Cancelled: %1 of %2 cases are in this table.")
                       .arg(result.cases)
@@ -113,8 +119,6 @@ QString cell(QString text) {
     return text.contains(',') || text.contains('"') ? '"' + text.replace('"', "\"\"") + '"' : text;
 }
 
-constexpr const char* engineNames[] = {"event", "stepped", "swept"};
-constexpr const char* precisionNames[] = {"float", "double", "quad"};
 constexpr const char* stateNames[] = {"measured", "waiting", "refused", "too-slow"};
 constexpr const char* modelNames[] = {"friction", "spin", "oil", "wall-restitution", "ties"};
 
@@ -122,6 +126,8 @@ QString variantOf(const Method& m) {
     QStringList parts;
     if (m.settings.kind == EngineKind::Stepped && m.settings.approachingOnly)
         parts << "approaching-only";
+    if (m.settings.kind == EngineKind::Swept)
+        parts << QString("passes=%1").arg(m.settings.passes);
     for (const Model model : m.without)
         parts << QString("without-") + modelNames[int(model)];
     return parts.join('+');
@@ -151,8 +157,8 @@ QStringList errorCells(const MethodResult& r) {
 QStringList csvRow(const StudyResult& result, const MethodResult& r) {
     const EngineSettings& s = r.method.settings;
     const bool errors = r.cases > 0, cost = r.costRounds > 0;
-    return QStringList{engineNames[int(s.kind)],
-                       precisionNames[int(s.precision)],
+    return QStringList{fileName(s.kind),
+                       fileName(s.precision),
                        s.kind == EngineKind::Event ? QString() : number(s.step),
                        cost ? number(r.cost.median) : QString(),
                        errors ? number(r.error().median) : QString(),

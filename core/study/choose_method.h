@@ -28,6 +28,10 @@ struct Choice {
     double seconds = 0;             // that the choice took
 };
 
+// Where the time asked for could not be measured whole, a method is within when its error is so small a part
+// of the tolerance.
+inline constexpr double roomToGrow = 1e-3;
+
 // patience: about how long it may take [s]. Nothing for a tolerance or a time that is not positive.
 std::optional<Choice> chooseMethod(const Scene& scene, double tolerance, double until, double patience = 2,
                                    std::stop_token stop = {});

@@ -2,6 +2,7 @@
 
 #include "core/bowling/pinfall.h"
 #include "core/study/contact_names.h"
+#include "core/study/digits_left.h"
 #include "core/study/parting.h"
 
 #include <algorithm>
@@ -72,6 +73,16 @@ void comparePositions(CaseError& error, const Run& truth, const Run& run, double
     error.momentumDrift = momentum > 0 ? norm(got.momentum - want.momentum) / momentum : 0;
 }
 
+void compareDigits(CaseError& error, const Run& truth, const Run& run) {
+    const auto said = digitsLeft(run);
+    if (said.empty())
+        return;
+    const auto found = digitsInCommon(truth, run);
+    error.digitsAsked = std::int64_t(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        error.digitsRight += std::abs(said[k] - found[k]) <= 1;
+}
+
 } // namespace
 
 CaseError compareRuns(const Run& truth, const Run& run, double until) {
@@ -87,6 +98,8 @@ CaseError compareRuns(const Run& truth, const Run& run, double until) {
     error.missed = missedContacts(truth.timeline, run.timeline);
     error.repeated = std::max<std::int64_t>(0, repetitions(run) - repetitions(truth));
     comparePositions(error, truth, run, until);
+    if (run.settings.precision < truth.settings.precision)
+        compareDigits(error, truth, run);
     return error;
 }
 

@@ -18,6 +18,8 @@ struct CaseError {
     std::int64_t missed = 0;
     std::int64_t repeated = 0;
     std::int64_t collisions = 0;
+    std::int64_t digitsAsked = 0; // collisions of which digitsLeft() says something
+    std::int64_t digitsRight = 0; // and is within one digit of what is left
 };
 
 // Both with their lists of collisions; `run` may be of a scene with models left out.

@@ -46,9 +46,7 @@ CostMeter::CostMeter(const StudyCases& cases, double until, std::vector<Method> 
 
 // The scenes are copied before the clock runs: an engine takes over its own.
 double CostMeter::timeOnce(std::size_t method) const {
-    EngineSettings settings = m_methods[method].settings;
-    settings.until = m_until;
-    settings.keepDetail = false;
+    const EngineSettings settings = settingsFor(m_methods[method], m_until, false);
     std::vector<Scene> scenes;
     scenes.reserve(m_scenes.size());
     for (const Scene& scene : m_scenes)

@@ -17,10 +17,15 @@ bool spins(const Body& b) {
     return b.kind == BodyKind::Ball && (b.spin.x != 0 || b.spin.y != 0 || b.spin.z != 0);
 }
 
+constexpr int severalPasses = 4;
+
 void addSteps(std::vector<Method>& methods, std::initializer_list<double> perSecond) {
     for (const bool approachingOnly : {false, true})
         for (const double n : perSecond)
             methods.push_back(steppedMethod(1 / n, approachingOnly));
+    for (const int passes : {1, severalPasses})
+        for (const double n : perSecond)
+            methods.push_back(sweptMethod(1 / n, passes));
 }
 
 constexpr Model models[] = {Model::Friction, Model::Spin, Model::Oil, Model::WallRestitution, Model::Ties};
@@ -39,6 +44,14 @@ Method steppedMethod(double step, bool approachingOnly) {
     m.settings.kind = EngineKind::Stepped;
     m.settings.step = step;
     m.settings.approachingOnly = approachingOnly;
+    return m;
+}
+
+Method sweptMethod(double step, int passes) {
+    Method m;
+    m.settings.kind = EngineKind::Swept;
+    m.settings.step = step;
+    m.settings.passes = passes;
     return m;
 }
 
@@ -85,7 +98,7 @@ bool hasModel(const Scene& scene, Model model) {
         return (scene.frame && scene.frame->restitution < 1) ||
                (scene.lane && scene.lane->kickbacks && scene.lane->kickbacks->restitution < 1);
     case Model::Ties:
-        return false;
+        return scene.bodies.size() > 2;
     }
     return false;
 }
@@ -115,6 +128,14 @@ Scene sceneFor(const Method& method, Scene scene) {
     return scene;
 }
 
+EngineSettings settingsFor(const Method& method, double until, bool detail) {
+    EngineSettings settings = method.settings;
+    settings.until = until;
+    settings.keepDetail = detail;
+    settings.ties = settings.ties && !leavesOut(method, Model::Ties);
+    return settings;
+}
+
 std::optional<Refusal> refusalOf(const Method& method, const Scene& scene, double until) {
     const EngineSettings& s = method.settings;
     double shorter = until; // as short as it can be without another reason
@@ -132,10 +153,7 @@ std::optional<Refusal> refusalOf(const Method& method, const Scene& scene, doubl
 }
 
 std::variant<Run, Refusal> runMethod(const Method& method, const Scene& scene, double until, bool detail) {
-    EngineSettings settings = method.settings;
-    settings.until = until;
-    settings.keepDetail = detail;
-    return simulate(method.without.empty() ? scene : sceneFor(method, scene), settings);
+    return simulate(sceneFor(method, scene), settingsFor(method, until, detail));
 }
 
 } // namespace thetalane

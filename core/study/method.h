@@ -26,8 +26,9 @@ struct Method {
 };
 
 Method eventMethod(Precision precision = Precision::Double);
-Method steppedMethod(double step, bool approachingOnly); // in double
-Method without(Model model);                             // event, double
+Method steppedMethod(double step, bool approachingOnly);
+Method sweptMethod(double step, int passes);
+Method without(Model model); // event, double
 
 // Next-event with 113 bits: what all others are held against.
 Method referenceMethod();
@@ -45,8 +46,9 @@ std::vector<Method> studyMethods(MethodSet set);
 std::vector<Method> ablationMethods(const Scene& scene);
 bool hasModel(const Scene& scene, Model model);
 
-// The scene without the models that the method leaves out.
+// The scene without the models that the method leaves out, and the settings to run it with.
 Scene sceneFor(const Method& method, Scene scene);
+EngineSettings settingsFor(const Method& method, double until, bool detail = true);
 
 // Why the engine would not run it, found out without a whole run.
 std::optional<Refusal> refusalOf(const Method& method, const Scene& scene, double until);

@@ -49,6 +49,13 @@ void sumUp(MethodResult& r, const std::vector<CaseError>& errors) {
     r.collisions = meanOf(errors, [](auto& e) { return e.collisions; });
     r.energyDrift = medianOf(errors, [](auto& e) { return e.energyDrift; });
     r.momentumDrift = medianOf(errors, [](auto& e) { return e.momentumDrift; });
+    std::int64_t right = 0;
+    r.digitsAsked = 0;
+    for (const CaseError& e : errors) {
+        r.digitsAsked += e.digitsAsked;
+        right += e.digitsRight;
+    }
+    r.digitsRight = r.digitsAsked > 0 ? double(right) / double(r.digitsAsked) : 0;
     std::vector<double> indices, times;
     for (const CaseError& e : errors)
         if (e.firstDifference >= 0) {

@@ -57,6 +57,10 @@ struct MethodResult {
     double missed = 0;        // a case: contacts of the reference that do not happen
     double repeated = 0;      // a case: contacts of two that already met, and since then met nobody else
     double collisions = 0;    // a case
+    // Of how many collisions digitsLeft() says something, and of what part it is within one digit of the
+    // truth.
+    std::int64_t digitsAsked = 0;
+    double digitsRight = 0;
 
     Quartiles cost{};            // of a case [µs], over the rounds
     double costPerSecond = 0;    // simulated [µs]

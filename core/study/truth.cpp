@@ -33,8 +33,7 @@ Truth truthWithin(const StudyCases& cases, const Method& method, double patience
         truth.method.settings.precision = Precision::Double;
     const Clock clock;
     Scene scene = sceneFor(truth.method, cases.scenes.front());
-    EngineSettings settings = truth.method.settings;
-    settings.until = cases.until;
+    EngineSettings settings = settingsFor(truth.method, cases.until);
     const auto engine = start(scene, settings);
     std::optional<EndReason> end;
     do

@@ -201,10 +201,18 @@ private:
             if (!free || !m_layout.frame.contains(place))
                 continue;
             taken.push_back(place);
-            m_p.setPen(s.colour.darker(135));
-            m_p.drawText(place, Qt::AlignCenter, p.label);
+            overLines(place, p.label, s.colour.darker(135));
             return;
         }
+    }
+
+    // With an edge of paper, where it stands over a line.
+    void overLines(const QRectF& place, const QString& text, const QColor& colour) {
+        m_p.setPen(m_style.paper);
+        for (const QPointF& off : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)})
+            m_p.drawText(place.translated(off), Qt::AlignCenter, text);
+        m_p.setPen(colour);
+        m_p.drawText(place, Qt::AlignCenter, text);
     }
 
     void legend() {

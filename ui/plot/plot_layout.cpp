@@ -138,7 +138,8 @@ PlotLayout::PlotLayout(const QRectF& area, const Plot& plot, const PlotStyle& st
     const double titleHeight = plot.title.isEmpty() ? 0 : QFontMetricsF(bold).height() + gap;
     const double left = (plot.y.title.isEmpty() ? 0 : h + gap) + widest(y, metrics) + 2 * gap;
     const double bottom = legendHeight + (plot.x.title.isEmpty() ? 0 : h + gap) + h + 1.5 * gap;
-    frame = area.adjusted(left, titleHeight + gap, -2 * gap, -bottom);
+    const double right = std::max(2 * gap, 2 + widest(x, metrics) / 2); // half a label may stand over the end
+    frame = area.adjusted(left, titleHeight + gap, -right, -bottom);
     if (frame.width() < 1 || frame.height() < 1) // too small to show anything
         frame = QRectF(area.topLeft(), QSizeF(1, 1));
     title = QRectF(area.left() + gap, area.top() + gap / 2, area.width() - h, titleHeight);

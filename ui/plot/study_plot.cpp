@@ -66,6 +66,10 @@ MethodStyle methodStyle(const Method& method) {
     switch (method.settings.kind) {
     case EngineKind::Event:
         return {QColor(0x00, 0x72, 0xB2), Qt::SolidLine, Marker::Circle};
+    case EngineKind::Swept:
+        return method.settings.passes == 1
+                   ? MethodStyle{QColor(0x00, 0x9E, 0x73), Qt::DotLine, Marker::Diamond}
+                   : MethodStyle{QColor(0xCC, 0x79, 0xA7), Qt::DashDotDotLine, Marker::Star};
     case EngineKind::Stepped:
         break;
     }

@@ -69,6 +69,9 @@ QString methodFamily(const Method& method) {
     switch (method.settings.kind) {
     case EngineKind::Event:
         return MethodText::tr("next event");
+    case EngineKind::Swept:
+        return method.settings.passes == 1 ? MethodText::tr("swept, one pass")
+                                           : MethodText::tr("swept, %1 passes").arg(method.settings.passes);
     case EngineKind::Stepped:
         break;
     }
