@@ -30,9 +30,9 @@ void takenOnlyBy(std::initializer_list<EngineKind> kinds, const QString& option,
     QStringList names;
     for (const EngineKind k : kinds)
         names << fileName(k);
-    arguments.note("--" + option + ": " +
-                   EngineOptionsText::tr("only with --engine %1; choose it, or leave this out")
-                       .arg(names.join(EngineOptionsText::tr(" or "))));
+    arguments.note(
+        "--" + option + ": " +
+        EngineOptionsText::tr("only with --engine %1; choose it, or leave this out").arg(names.join('|')));
 }
 
 int passes(Arguments& arguments, int unlessSaid) {

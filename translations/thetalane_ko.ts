@@ -42,24 +42,12 @@
 <context>
     <name>EngineOptionsText</name>
     <message>
-        <source>only the stepped engine takes this; add --engine stepped</source>
-        <translation>stepped 엔진에서만 쓸 수 있습니다. --engine stepped를 덧붙이십시오</translation>
-    </message>
-    <message>
         <source>the time to run [s]; 10 unless said</source>
         <translation>시뮬레이션할 시간 [s]. 기본값 10</translation>
     </message>
     <message>
         <source>ends the run after N collisions; 1000000 unless said</source>
         <translation>충돌이 N번 일어나면 끝냅니다. 기본값 1000000</translation>
-    </message>
-    <message>
-        <source>event: from contact to contact; stepped: the paper&apos;s loop; auto: event</source>
-        <translation>event: 다음 충돌의 시각을 바로 계산, stepped: 논문의 반복 계산, auto: event와 같음</translation>
-    </message>
-    <message>
-        <source>the step of the stepped engine [s]; 1/60 unless said</source>
-        <translation>stepped 엔진의 시간 간격 [s]. 기본값 1/60</translation>
     </message>
     <message>
         <source>stepped: exchanges only when the two approach</source>
@@ -70,12 +58,32 @@
         <translation>계산에 쓸 수의 정밀도. 기본값 double</translation>
     </message>
     <message>
-        <source>the stepped engine does not take this; leave one of the two out</source>
-        <translation>stepped 엔진에서는 쓸 수 없습니다. 둘 중 하나를 빼십시오</translation>
-    </message>
-    <message>
         <source>bodies that friction presses together stay in touch when they would meet again sooner [s]; 0.0001 unless said</source>
         <translation>마찰이 맞누르는 두 물체가 이 시간 안에 다시 닿게 되면 붙은 채로 둡니다 [s]. 기본값 0.0001</translation>
+    </message>
+    <message>
+        <source>only with --engine %1; choose it, or leave this out</source>
+        <translation>--engine %1에서만 쓸 수 있습니다. 그 엔진을 고르거나 이 옵션을 빼십시오</translation>
+    </message>
+    <message>
+        <source>must be at most %1, is %2</source>
+        <translation>%1 이하여야 합니다. 입력한 값: %2</translation>
+    </message>
+    <message>
+        <source>event: from contact to contact; swept: by steps, with the instant of each contact within a step; stepped: the paper&apos;s loop; auto: event</source>
+        <translation>event: 다음 충돌의 시각을 바로 계산, swept: 일정한 시간 간격으로 나아가되 그 안에서 충돌하는 순간을 계산, stepped: 논문의 반복 계산, auto: event와 같음</translation>
+    </message>
+    <message>
+        <source>the step of the stepped and swept engines [s]; 1/60 unless said</source>
+        <translation>stepped 엔진과 swept 엔진의 시간 간격 [s]. 기본값 1/60</translation>
+    </message>
+    <message>
+        <source>swept: how often within a step a body is looked at for what it hits next; 1 unless said</source>
+        <translation>swept: 한 시간 간격 안에서 물체마다 다음 충돌을 찾아보는 횟수. 기본값 1</translation>
+    </message>
+    <message>
+        <source>event: takes contacts of one instant one at a time, not together</source>
+        <translation>event: 같은 순간의 접촉을 함께 계산하지 않고 하나씩 차례로 계산합니다</translation>
     </message>
 </context>
 <context>
@@ -132,6 +140,10 @@
     <message>
         <source>The paper&apos;s loop goes through the pairs at every step and exchanges each that overlaps by itself, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
         <translation>논문의 반복 계산은 매 시간 간격마다 쌍을 차례로 살펴, 겹친 쌍을 목록의 순서대로 하나씩 따로 계산합니다. 그래서 결과가 순서에 따라 달라지고 대칭이 유지되지 않습니다. 정확한 계산에서는 이런 접촉을 함께 계산합니다.</translation>
+    </message>
+    <message>
+        <source>Here contacts of one instant are exchanged one at a time, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
+        <translation>여기서는 같은 순간의 접촉을 목록의 순서대로 하나씩 계산합니다. 그래서 결과가 순서에 따라 달라지고 대칭이 유지되지 않습니다. 정확한 계산에서는 이런 접촉을 함께 계산합니다.</translation>
     </message>
 </context>
 <context>
@@ -430,6 +442,14 @@
     <message>
         <source>1.2 under Tie: the first instant at which several contacts meet, its second pass. Contacts of one pass are resolved together.</source>
         <translation>동시 충돌 1.2는 여러 접촉이 겹친 첫째 순간의 둘째 차례입니다. 같은 차례의 접촉은 한꺼번에 계산합니다.</translation>
+    </message>
+    <message>
+        <source>one contact at a time</source>
+        <translation>접촉을 하나씩 계산</translation>
+    </message>
+    <message>
+        <source>swept engine, step %1 s, passes: %2</source>
+        <translation>swept 엔진, 시간 간격 %1 s, 탐색 횟수 %2</translation>
     </message>
 </context>
 <context>
@@ -1407,10 +1427,6 @@
         <translation>계산 방식</translation>
     </message>
     <message>
-        <source>How contacts are found: exactly, from one to the next, or by the paper&apos;s loop, which moves everything by a fixed step and then tests for overlap</source>
-        <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 구하거나, 논문의 반복 계산처럼 일정한 시간 간격마다 물체를 옮긴 뒤 겹쳤는지 검사합니다.</translation>
-    </message>
-    <message>
         <source>Exact (next event)</source>
         <translation>정확한 계산 (다음 충돌)</translation>
     </message>
@@ -1421,6 +1437,22 @@
     <message>
         <source>Paper&apos;s loop, %1</source>
         <translation>논문의 반복 계산, %1</translation>
+    </message>
+    <message>
+        <source>How contacts are found: exactly, from one to the next; by the paper&apos;s loop, which moves everything by a fixed step and then tests for overlap; or by swept steps, which look for the instant of contact within a step, but see what a body hits next only in the step after</source>
+        <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 구하거나, 논문의 반복 계산처럼 일정한 시간 간격마다 물체를 옮긴 뒤 겹쳤는지 검사합니다. 연속 충돌 검사는 시간 간격 안에서 충돌하는 순간을 구하지만, 충돌한 물체가 이어서 무엇에 부딪히는지는 다음 간격에서야 살핍니다.</translation>
+    </message>
+    <message>
+        <source>Next event, one contact at a time</source>
+        <translation>다음 충돌, 접촉을 하나씩</translation>
+    </message>
+    <message>
+        <source>Swept steps, %1</source>
+        <translation>연속 충돌 검사, %1</translation>
+    </message>
+    <message>
+        <source>Swept steps, %1, passes: %2</source>
+        <translation>연속 충돌 검사, %1, 탐색 %2회</translation>
     </message>
 </context>
 <context>
