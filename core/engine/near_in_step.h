@@ -49,9 +49,10 @@ private:
     template <bool Accelerated>
     static Extent extentOf(const MovingDiscs<Real, Accelerated>& discs, Index i, const Real& end) {
         const Vec2<Real> p = discs.positionAt(i, Real(0)), v = discs.velocityAt(i, Real(0));
-        Real way = norm(v) * end;
-        if constexpr (Accelerated)
-            way = way + norm(discs.acceleration(i)) * end * end / 2;
+        const Vec2<Real> a = discs.acceleration(i);
+        Real way(0);
+        if (!(v == Vec2<Real>{} && a == Vec2<Real>{}))
+            way = (norm(v) + norm(a) * end / 2) * end;
         using std::abs;
         const Real slack = abs(p.x) + abs(p.y); // its rounding decides nothing
         const Real reach =

@@ -57,6 +57,8 @@ public:
     void nextStep() {
         ++m_steps;
         for (Index i = 0; i < m_discs.count(); ++i) {
+            if (atRest(i))
+                continue; // it is where it is at any time
             const Began& b = m_began[i];
             const Real since = b.at - Real(double(m_steps - b.step)) * m_step;
             m_discs.put(i, m_discs.position(i), m_discs.velocity(i), since);

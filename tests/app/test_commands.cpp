@@ -56,6 +56,13 @@ private slots:
         row("run two-balls --engine auto --json", "\"engine\": \"event\"");
         row("run two-balls --engine stepped --step 0.01 --approaching-only --json",
             "\"approaching_only\": true");
+        row("run two-balls --engine swept --step 0.01 --passes 3 --json",
+            "\"engine\": \"swept\", \"precision\": \"double\", \"step\": 0.01, \"passes\": 3,");
+        row("run bowling --engine swept --json", "\"phase\": \"rest\"");
+        row("run two-balls --engine swept", "swept engine, step 0.01667 s, passes: 1, double");
+        row("run break --one-at-a-time --max-collisions 5 --json", "\"one_at_a_time\": true");
+        row("run break --one-at-a-time --max-collisions 5 --language ko", "접촉을 하나씩 계산");
+        row("throw --engine swept --step 1e-3 --passes 8 --language ko", "쓰러진 핀:");
         row("run two-balls --precision quad --json", "\"precision\": \"quad\"");
         row("run two-balls --precision float --json", "\"precision\": \"float\"");
         row("run head-on --until +2e0", "Ended at 2 s");
@@ -156,10 +163,24 @@ private slots:
         for (const char* bad : {"0", "-1", "2.5", "many", "99999999999999999999"})
             row(QString("run two-balls --max-collisions ") + bad,
                 "--max-collisions: must be a whole number greater than 0, is ");
-        row("run two-balls --engine swept", "--engine: must be one of event, stepped, auto, is \"swept\"");
+        row("run two-balls --engine sweep",
+            "--engine: must be one of event, swept, stepped, auto, is \"sweep\"");
+        for (const char* bad : {"0", "-1", "2.5", "many", ""})
+            row(QString("run two-balls --engine swept --passes=") + bad,
+                "--passes: must be a whole number greater than 0, is ");
+        row("run two-balls --engine swept --passes 1000001", "--passes: must be at most 1000000, is 1000001");
+        row("run two-balls --passes 2", "--passes: only with --engine swept");
+        row("run two-balls --engine stepped --passes 2", "--passes: only with --engine swept");
+        row("run two-balls --engine swept --approaching-only",
+            "--approaching-only: only with --engine stepped");
+        row("run two-balls --engine swept --one-at-a-time", "--one-at-a-time: only with --engine event");
+        row("run two-balls --engine swept --contact-time 1e-4", "--contact-time: only with --engine event");
+        row("run two-balls --engine swept --step 1e-9", "--step: takes 1e+10 steps, more than the 100000000");
         row("run two-balls --precision half", "--precision: must be one of float, double, quad");
-        row("run two-balls --step 0.01", "--step: only the stepped engine");
-        row("run two-balls --engine auto --approaching-only", "--approaching-only: only the stepped engine");
+        row("run two-balls --step 0.01",
+            "--step: only with --engine stepped|swept; choose it, or leave this out");
+        row("run two-balls --engine auto --approaching-only",
+            "--approaching-only: only with --engine stepped");
         row("run two-balls --engine stepped --step 0", "--step: must be greater than 0, is 0");
         row("run two-balls --engine stepped --step 1e-9",
             "--step: takes 1e+10 steps, more than the 100000000");
@@ -187,7 +208,7 @@ private slots:
             row(QString("throw --no-friction --%1 0.1").arg(option), "has no meaning with --no-friction");
         row("run two-balls --contact-time 0", "--contact-time: must be greater than 0, is 0");
         row("run two-balls --contact-time soon", "--contact-time: must be a number");
-        row("run two-balls --engine stepped --contact-time 1e-4", "the stepped engine does not take this");
+        row("run two-balls --engine stepped --contact-time 1e-4", "--contact-time: only with --engine event");
         row("picture two-balls --output x.png --at -1", "--at: must be at least 0, is -1");
     }
 

@@ -60,7 +60,7 @@ private slots:
         QFETCH(double, step);
         QFETCH(int, most);
         QFETCH(int, reason);
-        for (const EngineKind kind : {EngineKind::Event, EngineKind::Stepped}) {
+        for (const EngineKind kind : {EngineKind::Event, EngineKind::Stepped, EngineKind::Swept}) {
             EngineSettings settings = steppedSettings(until, step);
             settings.kind = kind;
             settings.maxCollisions = most;
@@ -74,6 +74,42 @@ private slots:
             QVERIFY(std::holds_alternative<Refusal>(result));
             QCOMPARE(int(std::get<Refusal>(result).reason), reason);
         }
+    }
+
+    void refusalsOfOneEngine_data() {
+        QTest::addColumn<EngineSettings>("settings");
+        QTest::addColumn<int>("reason"); // -1: runs
+        const auto row = [](const char* name, const EngineSettings& s, int reason) {
+            QTest::newRow(name) << s << reason;
+        };
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        const double inf = std::numeric_limits<double>::infinity();
+        const int passes = int(RefusalReason::PassesNotPositive);
+        const int contact = int(RefusalReason::ContactTimeNotPositive);
+        row("no pass", {.kind = EngineKind::Swept, .passes = 0}, passes);
+        row("fewer than none", {.kind = EngineKind::Swept, .passes = -1}, passes);
+        row("the fewest", {.kind = EngineKind::Swept, .passes = std::numeric_limits<int>::min()}, passes);
+        row("the most", {.kind = EngineKind::Swept, .passes = std::numeric_limits<int>::max()}, -1);
+        row("the event engine makes no passes", {.passes = 0}, -1);
+        row("contact time zero", {.contactTime = 0}, contact);
+        row("contact time negative", {.contactTime = -1e-4}, contact);
+        row("contact time NaN", {.contactTime = nan}, contact);
+        row("contact time infinite", {.contactTime = inf}, contact);
+        row("contact time denormal", {.contactTime = 5e-324}, -1);
+        row("swept has no contact time", {.kind = EngineKind::Swept, .contactTime = 0}, -1);
+        row("stepped has no contact time", {.kind = EngineKind::Stepped, .contactTime = nan}, -1);
+    }
+    void refusalsOfOneEngine() {
+        QFETCH(EngineSettings, settings);
+        QFETCH(int, reason);
+        const auto result = simulate(alone({0, 0}, {1, 0}), settings);
+        const auto* refusal = std::get_if<Refusal>(&result);
+        QCOMPARE(refusal ? int(refusal->reason) : -1, reason);
+        if (!refusal)
+            return;
+        const bool aboutPasses = refusal->reason == RefusalReason::PassesNotPositive;
+        const double value = aboutPasses ? settings.passes : settings.contactTime;
+        QVERIFY(std::isnan(value) ? std::isnan(refusal->value) : refusal->value == value);
     }
 
     void endReasons() {

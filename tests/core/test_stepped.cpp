@@ -1,5 +1,6 @@
 // The stepped engine against a literal transcription of the paper's loop, bit for bit, and its faults shown.
 #include "core/engine/engine.h"
+#include "core/scene/bowling_scene.h"
 #include "core/scene/builtin.h"
 #include "tests/core/support.h"
 
@@ -218,6 +219,76 @@ private slots:
         EngineSettings summary = settings;
         summary.keepDetail = false;
         QCOMPARE(runOf(scene, summary).stateAt(0.3), t.stateAt(0.3));
+    }
+
+    // Alone on a floor, skid, hook, roll, rest, oil and gutter are what the closed form says, at every step.
+    void theFloorIsExact() {
+        for (const double spin : {0.0, 35.0}) {
+            Throw t;
+            t.speed = 3;
+            t.spin = spin;
+            t.axis = 0.6;
+            Scene scene = bowlingScene(t);
+            scene.bodies.resize(1);
+            scene.lane->left = -50; // no edge, or the step at which it is crossed would show
+            scene.friction->rolling = 0.1;
+            const Timeline exact = runOf(scene, eventSettings(20));
+            QVERIFY(exact.segments(0).size() > 2 && exact.endReason() == EndReason::AtRest);
+            for (const double step : {0.7, 1.0 / 60, 1e-3}) {
+                const Timeline timeline = runOf(scene, steppedSettings(20, step));
+                QCOMPARE(timeline.segments(0).size(), exact.segments(0).size());
+                QCOMPARE(timeline.rotations(0).size(), timeline.segments(0).size());
+                for (double at = 0; at < exact.endTime() + 1; at += 0.173) {
+                    const BodyState a = exact.bodyAt(0, at), b = timeline.bodyAt(0, at);
+                    QVERIFY(norm(a.position - b.position) < 1e-11 && norm(a.velocity - b.velocity) < 1e-11);
+                    QVERIFY(std::abs(a.spin.x - b.spin.x) < 1e-9 && std::abs(a.spin.y - b.spin.y) < 1e-9);
+                    QCOMPARE(b.phase, a.phase);
+                }
+            }
+        }
+    }
+
+    // Who comes to rest after the last whole step does not turn back.
+    void restsInTheLastPart() {
+        Scene scene;
+        scene.friction = Friction{0.2, 0.1, 0.4, 10, {}};
+        scene.bodies = {{"pin", BodyKind::Pin, 1, 0.1, {0, 0}, {4.2, 0}}}; // at rest after 1.05 s
+        const Timeline timeline = runOf(scene, steppedSettings(1.4, 0.5));
+        QVERIFY(std::abs(timeline.bodyAt(0, 1.4).position.x - 4.2 * 1.05 / 2) < 1e-14);
+        QCOMPARE(timeline.bodyAt(0, 1.4).velocity, (Vec2d{0, 0}));
+    }
+
+    // The loop stays the paper's: an overlap is exchanged at the step's end, with the velocities friction
+    // left.
+    void exchangesOnAFloor() {
+        Scene scene;
+        scene.friction = Friction{0.2, 0.1, 0.4, 10, {}};
+        scene.bodies = {{"a", BodyKind::Pin, 1, 0.1, {0, 0}, {3, 0}},
+                        {"b", BodyKind::Pin, 1, 0.1, {0.45, 0}, {0, 0}}};
+        const Timeline timeline = runOf(scene, steppedSettings(2, 0.1));
+        const Collision& first = timeline.collisions()[0];
+        QCOMPARE(first.time, 0.1); // at 0.28 with 2.6 m/s
+        QVERIFY(std::abs(first.steps.first.position.x - 0.28) < 1e-15);
+        QVERIFY(std::abs(first.steps.before.first.x - 2.6) < 1e-15);
+        QVERIFY(std::abs(first.steps.after.second.x - 2.6) < 1e-15);
+        // 2.6 m/s in 0.65 s to nothing.
+        QVERIFY(std::abs(timeline.bodyAt(1, 2).position.x - (0.45 + 2.6 * 0.65 / 2)) < 1e-14);
+    }
+
+    // A pin that flies over the gutter comes back from the plate, a step late at most.
+    void kickbacks() {
+        Scene scene = bowlingScene({}, 0.75, std::nullopt);
+        Body pin = scene.bodies.back();
+        pin.position = {0.3, 0.2};
+        pin.velocity = {2, 0.3};
+        scene.bodies = {pin};
+        const Timeline exact = runOf(scene, eventSettings(1));
+        const Timeline timeline = runOf(scene, steppedSettings(1, 1e-3));
+        QCOMPARE(exact.collisionCount(), 1);
+        QCOMPARE(timeline.collisionCount(), 1);
+        const double late = timeline.collisions()[0].time - exact.collisions()[0].time;
+        QVERIFY(late >= 0 && late < 1e-3);
+        QVERIFY(timeline.bodyAt(0, 1).velocity.x == exact.bodyAt(0, 1).velocity.x);
     }
 
     // Fault 3: a pair in deep overlap stays together, exchanged at every step.
