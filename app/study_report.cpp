@@ -143,7 +143,7 @@ QStringList costCells(const MethodResult& r) {
 QStringList errorCells(const MethodResult& r) {
     QStringList cells;
     if (r.cases == 0)
-        return QStringList(10 + int(studyTimes), "");
+        return QStringList(12 + int(studyTimes), "");
     const bool differs = r.sameOrder < 1;
     cells << number(r.error().rms) << number(r.error().worst) << number(100 * r.sameDown)
           << number(100 * r.sameOrder) << (differs ? number(r.firstDifference.median + 1) : "")
@@ -151,7 +151,10 @@ QStringList errorCells(const MethodResult& r) {
           << number(r.energyDrift) << number(r.momentumDrift);
     for (const PositionError& e : r.errors)
         cells << number(e.median);
-    return cells;
+    if (r.digitsAsked == 0)
+        return cells << ""
+                     << "";
+    return cells << QString::number(r.digitsAsked) << number(100 * r.digitsRight);
 }
 
 QStringList csvRow(const StudyResult& result, const MethodResult& r) {
@@ -175,7 +178,8 @@ constexpr const char* header =
     "engine,precision,step_s,cost_us,error_m,same_pins_percent,collisions,variant,state,cases,cost_rounds,"
     "cost_lower_us,cost_upper_us,cost_ratio,us_per_simulated_s,us_per_collision,error_rms_m,error_worst_m,"
     "same_down_percent,same_order_percent,first_difference,first_difference_s,missed,repeated,energy_drift,"
-    "momentum_drift,error_1_m,error_2_m,error_3_m,error_4_m,error_5_m,error_6_m,error_7_m,error_8_m,until_s,"
+    "momentum_drift,error_1_m,error_2_m,error_3_m,error_4_m,error_5_m,error_6_m,error_7_m,error_8_m,digits_"
+    "collisions,digits_right_percent,until_s,"
     "seed,date,machine,call\n";
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "core/study/digits_left.h"
 
 #include "core/study/contact_names.h"
+#include "core/study/tangent_flight.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@
 namespace thetalane {
 namespace {
 
-constexpr int samples = 24;
+constexpr int samples = tangentSamples;
 // Of a rounding, in unit roundoffs of the number: uniform to either side, and seldom of the largest number of
 // its binade; somewhat less, as what is asked for is the middle of the errors, not their rms.
 constexpr double usual = 0.32;
@@ -53,17 +54,6 @@ private:
     std::mt19937_64 m_bits{2026};
 };
 
-struct Tangent {
-    Vec2d position;
-    Vec2d velocity;
-};
-
-// One body's part of all samples, at `since`.
-struct BodyTangent {
-    double since = 0;
-    std::array<Tangent, samples> errors;
-};
-
 struct Met { // one contact, as numbers of its own
     int first = 0, second = -1;
     double Z = 0, time = 0, restitution = 0, impulse = 0;
@@ -90,79 +80,112 @@ Met metAt(const Collision& c) {
 class Growth {
 public:
     explicit Growth(const Run& run)
-        : m_run(run)
-        , m_unit(usual * unitRoundoff(run.settings.precision))
-        , m_bodies(run.scene.bodies.size()) {
-        if (run.settings.precision != Precision::Float)
-            return; // a scene's numbers are doubles, and exact in more
-        for (std::size_t i = 0; i < m_bodies.size(); ++i)
-            roundTo(i, run.scene.bodies[i].position, run.scene.bodies[i].velocity);
+        : m_unit(usual * unitRoundoff(run.settings.precision)) {
+        for (std::size_t i = 0; i < run.scene.bodies.size(); ++i) {
+            m_bodies.emplace_back(run.scene, run.timeline, i);
+            // A scene's numbers are doubles, and exact in more.
+            if (run.settings.precision == Precision::Float)
+                roundStart(m_bodies.back(), run.scene.bodies[i]);
+        }
     }
 
     // The estimated error of what the collision shows.
     double pass(const Collision& c) {
         const Met met = metAt(c);
-        flyTo(c.first, c.time);
-        if (!c.isWall())
-            flyTo(c.second, c.time);
-        const double speed = norm(c.steps.before.first) + norm(c.steps.before.second);
+        TangentFlight& first = m_bodies[std::size_t(c.first)];
+        TangentFlight* second = c.isWall() ? nullptr : &m_bodies[std::size_t(c.second)];
+        first.flyTo(c.time);
+        if (second)
+            second->flyTo(c.time);
         double sum = 0;
+        const auto shifts = shiftsOf(met, c, first, second);
+        moveBy(first, shifts, 1);
+        if (second)
+            moveBy(*second, shifts, 1);
         for (int k = 0; k < samples; ++k)
-            sum += std::pow(meet(met, c, k, speed), 2);
-        roundTo(std::size_t(c.first), c.steps.first.position, c.steps.after.first);
-        if (!c.isWall())
-            roundTo(std::size_t(c.second), c.steps.second.position, c.steps.after.second);
+            sum += meet(met, c, shifts[std::size_t(k)], first.errors[std::size_t(k)],
+                        second ? &second->errors[std::size_t(k)] : nullptr);
+        first.goOn();
+        moveBy(first, shifts, -1);
+        roundTo(first, c.steps.first.position, c.steps.after.first);
+        if (second) {
+            second->goOn();
+            moveBy(*second, shifts, -1);
+            roundTo(*second, c.steps.second.position, c.steps.after.second);
+        }
         return std::sqrt(sum / samples);
     }
 
 private:
-    void flyTo(int body, double time) {
-        BodyTangent& b = m_bodies[std::size_t(body)];
-        for (Tangent& e : b.errors)
-            e.position = e.position + e.velocity * (time - b.since);
-        b.since = time;
+    using Shifts = std::array<double, samples>;
+
+    void roundStart(TangentFlight& body, const Body& b) {
+        for (Tangent& e : body.errors) {
+            e.position = e.position + roundingOf(b.position);
+            e.velocity = e.velocity + roundingOf(b.velocity);
+            e.spin = e.spin + roundingOf({b.spin.x, b.spin.y});
+        }
+    }
+    Vec2d roundingOf(const Vec2d& v) {
+        const double x = m_unit * std::abs(v.x) * m_noise();
+        return {x, m_unit * std::abs(v.y) * m_noise()};
     }
 
-    void roundTo(std::size_t body, Vec2d p, Vec2d v) {
-        for (Tangent& e : m_bodies[body].errors) {
-            e.position.x += m_unit * std::abs(p.x) * m_noise();
-            e.position.y += m_unit * std::abs(p.y) * m_noise();
+    // After a contact: what was turned to and fro has the rounding of its length in both directions.
+    void roundTo(TangentFlight& body, Vec2d p, Vec2d v) {
+        for (Tangent& e : body.errors) {
+            e.position = e.position + roundingOf(p);
             e.velocity.x += m_unit * norm(v) * m_noise();
             e.velocity.y += m_unit * norm(v) * m_noise();
         }
     }
 
-    // Sample k through the contact; how far off, in units of Z and the speeds, what it shows is.
-    double meet(const Met& m, const Collision& c, int k, double speed) {
-        static const Tangent still;
-        Tangent& a = m_bodies[std::size_t(m.first)].errors[std::size_t(k)];
-        const Tangent b = m.second < 0 ? still : m_bodies[std::size_t(m.second)].errors[std::size_t(k)];
+    // Of the instant, in each sample [s].
+    Shifts shiftsOf(const Met& m, const Collision& c, const TangentFlight& first,
+                    const TangentFlight* second) {
+        Shifts shifts{};
         const double approach = dot(m.n, m.w); // negative
-        const double gap = m_unit * (m.Z + norm(c.steps.first.position)) * m_noise();
-        const double late = m_unit * m.time * m_noise();
-        const Vec2d dd = a.position - b.position, dw = a.velocity - b.velocity;
-        const double shift = (approach < 0 ? -(dot(m.n, dd) + gap) / approach : 0) + late;
-        const Vec2d across = dd + m.w * shift;
-        const Vec2d turn =
-            m.second < 0 ? Vec2d{} : (across - m.n * dot(m.n, across)) * (1 / m.Z); // walls stay
+        for (std::size_t k = 0; k < shifts.size(); ++k) {
+            const double gap = m_unit * (m.Z + norm(c.steps.first.position)) * m_noise();
+            const double late = m_unit * m.time * m_noise();
+            const Vec2d d = first.errors[k].position - (second ? second->errors[k].position : Vec2d{});
+            shifts[k] = (approach < 0 ? -(dot(m.n, d) + gap) / approach : 0) + late;
+        }
+        return shifts;
+    }
+
+    // To the contact's own instant, or back from it; how the positions shift is the contact's business.
+    static void moveBy(TangentFlight& body, const Shifts& shifts, double sign) {
+        const Vec2d a = body.acceleration(), rate = body.spinRate();
+        for (std::size_t k = 0; k < shifts.size(); ++k) {
+            body.errors[k].velocity = body.errors[k].velocity + a * (sign * shifts[k]);
+            body.errors[k].spin = body.errors[k].spin + rate * (sign * shifts[k]);
+        }
+    }
+
+    // One sample through the contact; how far off, in units of Z and the speeds, what it shows is, squared.
+    static double meet(const Met& m, const Collision& c, double shift, Tangent& a, Tangent* b) {
+        const double speed = norm(c.steps.before.first) + norm(c.steps.before.second);
+        const Vec2d dd = a.position - (b ? b->position : Vec2d{});
+        const Vec2d dw = a.velocity - (b ? b->velocity : Vec2d{});
+        const Vec2d off = dd + m.w * shift;
+        const Vec2d turn = b ? (off - m.n * dot(m.n, off)) * (1 / m.Z) : Vec2d{}; // walls stay
         const double push = -(1 + m.restitution) * m.reduced * (dot(dw, m.n) + dot(m.w, turn));
         const Vec2d change = m.n * push + turn * m.impulse;
         a.velocity = a.velocity + change * m.inverseFirst;
         a.position = a.position - m.n * (m.impulse * m.inverseFirst * shift);
-        double off = dot(turn, turn) + dot(a.velocity, a.velocity) / (speed * speed);
-        if (m.second >= 0) {
-            Tangent& other = m_bodies[std::size_t(m.second)].errors[std::size_t(k)];
-            other.velocity = other.velocity - change * m.inverseSecond;
-            other.position = other.position + m.n * (m.impulse * m.inverseSecond * shift);
-            off += dot(other.velocity, other.velocity) / (speed * speed);
+        double sum = dot(turn, turn) + dot(a.velocity, a.velocity) / (speed * speed);
+        if (b) {
+            b->velocity = b->velocity - change * m.inverseSecond;
+            b->position = b->position + m.n * (m.impulse * m.inverseSecond * shift);
+            sum += dot(b->velocity, b->velocity) / (speed * speed);
         }
-        return std::sqrt(off);
+        return sum;
     }
 
-    const Run& m_run;
     double m_unit;
     Noise m_noise;
-    std::vector<BodyTangent> m_bodies;
+    std::vector<TangentFlight> m_bodies;
 };
 
 double mostDigits(Precision precision) {
@@ -183,7 +206,7 @@ double disagreement(const Collision& a, const Collision& b) {
 
 std::vector<double> digitsLeft(const Run& run) {
     std::vector<double> digits;
-    if (run.settings.kind != EngineKind::Event || run.scene.friction)
+    if (run.settings.kind != EngineKind::Event)
         return digits;
     const auto collisions = run.timeline.collisions();
     digits.reserve(collisions.size());
