@@ -81,11 +81,16 @@ QStringList rowOf(const StudyResult& result, const MethodResult& r) {
 void printNotes(const StudyResult& result) {
     printLine();
     printLine(StudyReportText::tr(
-        "Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and "
-        "the ratio to the first row. Error: rms over the bodies of the distance from where they should be at "
-        "the end; median and rms over the cases. First difference: the contact that is the first to differ, "
-        "and its time; median of the cases that differ. Energy: off at the end, of the energy at the "
-        "start."));
+        "Cost: processor time on one core, the methods in turn; median, the middle half of "
+        "the rounds, and the ratio to the first row."));
+    printLine(StudyReportText::tr(
+        "Error: rms over the bodies of the distance from where they should be at the end; "
+        "median and rms over the cases."));
+    printLine(StudyReportText::tr(
+        "First difference: the contact that is the first to differ, and its time; median of "
+        "the cases that differ."));
+    printLine(StudyReportText::tr(
+        "Energy: off at the end, of the energy at the start. Missed, repeated: contacts, a case."));
     printLine(StudyReportText::tr("Truth: %1; studied until %2 s.")
                   .arg(methodText(result.truth), numberText(result.until)));
     if (result.until < result.untilAsked)
@@ -223,7 +228,7 @@ void printModels(const StudyResult& ablation, bool throws) {
                          << ""
                          << ""
                          << "";
-        cells << (r.costRounds > 0 ? QString::number(100 * (1 - r.costRatio), 'f', 0).replace('-', "−") + " %"
+        cells << (r.costRounds > 0 ? QString::number(qRound(100 * (1 - r.costRatio))).replace('-', "−") + " %"
                                    : QStringLiteral("–"));
         return r.cases == 0 ? cells << stateText(r) << ""
                                     << ""

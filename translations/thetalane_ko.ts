@@ -1021,10 +1021,6 @@
         <translation>기준</translation>
     </message>
     <message>
-        <source>Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and the ratio to the first row. Error: rms over the bodies of the distance from where they should be at the end; median and rms over the cases. First difference: the contact that is the first to differ, and its time; median of the cases that differ. Energy: off at the end, of the energy at the start.</source>
-        <translation>시간: 코어 하나에서 방법들을 번갈아 잰 프로세서 시간. 중앙값과, 잰 값의 가운데 절반이 차지하는 폭, 첫 행에 대한 비. 오차: 끝난 때에 물체들이 있어야 할 곳에서 벗어난 거리의 제곱 평균 제곱근. 모든 경우의 중앙값과 제곱 평균 제곱근. 처음 달라진 충돌: 몇 번째 충돌부터 다르고 그 시각이 언제인지. 달라진 경우의 중앙값. 에너지: 끝난 때의 차이를 처음 에너지로 나눈 값.</translation>
-    </message>
-    <message>
         <source>Truth: %1; studied until %2 s.</source>
         <translation>기준: %1. %2 s까지 쟀습니다.</translation>
     </message>
@@ -1123,6 +1119,22 @@
     <message>
         <source>nothing: all models</source>
         <translation>없음: 모두 계산</translation>
+    </message>
+    <message>
+        <source>Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and the ratio to the first row.</source>
+        <translation>시간: 코어 하나에서 방법들을 번갈아 잰 프로세서 시간. 중앙값, 잰 값의 가운데 절반이 차지하는 폭, 첫 행에 대한 비.</translation>
+    </message>
+    <message>
+        <source>Error: rms over the bodies of the distance from where they should be at the end; median and rms over the cases.</source>
+        <translation>오차: 끝난 때에 물체들이 있어야 할 곳에서 벗어난 거리의 제곱 평균 제곱근. 모든 경우의 중앙값과 제곱 평균 제곱근.</translation>
+    </message>
+    <message>
+        <source>First difference: the contact that is the first to differ, and its time; median of the cases that differ.</source>
+        <translation>처음 달라진 충돌: 몇 번째 충돌부터 다르며 그 시각이 언제인지. 달라진 경우의 중앙값.</translation>
+    </message>
+    <message>
+        <source>Energy: off at the end, of the energy at the start. Missed, repeated: contacts, a case.</source>
+        <translation>에너지: 끝난 때의 차이를 처음 에너지로 나눈 값. 놓친 충돌과 되풀이한 충돌: 한 경우의 횟수.</translation>
     </message>
 </context>
 <context>

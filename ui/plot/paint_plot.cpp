@@ -200,7 +200,7 @@ private:
                                            [&](const QRectF& t) { return t.intersects(place); });
             if (!free || !m_layout.frame.contains(place))
                 continue;
-            taken.push_back(place);
+            taken.push_back(place.adjusted(-6, 0, 6, 0));
             overLines(place, p.label, s.colour.darker(135));
             return;
         }
