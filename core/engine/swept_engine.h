@@ -4,7 +4,8 @@
 // are exchanged in the order of time, the two moved to their instant; of one instant, in the order of the
 // scene. A body looked at `passes` times goes on after its next contact unseen until the step ends: it may
 // pass into others, and what approaches in overlap collides at the start of the next step; what parts, never.
-// With passes without end this is the next-event engine, a step at a time.
+// With passes without end this is the next-event engine, a step at a time, without its rules for ties and for
+// contacts that last.
 //
 // What a body does by itself (its friction changes, it leaves the lane) is never missed.
 #pragma once

@@ -410,6 +410,15 @@ private slots:
         QCOMPARE(now().step, 1.0 / 1000);
         QTest::keyClick(combo, Qt::Key_Down);
         QVERIFY(now().approachingOnly && now().step == 1.0 / 60);
+        QTest::keyClick(combo, Qt::Key_Down);
+        QVERIFY(now().kind == EngineKind::Swept && now().step == 1.0 / 60 && now().passes == 1);
+        QCOMPARE(combo->currentIndex(), 4);
+        EngineSettings other = now(); // what the list does not hold is named all the same
+        other.passes = 8;
+        other.step = 1.0 / 240;
+        QVERIFY(!b.session.setEngine(other));
+        QCOMPARE(combo->currentIndex(), -1);
+        QVERIFY(combo->placeholderText().contains("1/240 s") && combo->placeholderText().contains("8"));
         QCOMPARE(now().until, 3.0); // the others stay
         QTest::keyClick(combo, Qt::Key_Home);
         QVERIFY(now().kind == EngineKind::Event);
