@@ -242,7 +242,8 @@ QString studyCsv(const QList<const StudyResult*>& results, const StudyConditions
     const QStringList last{conditions.seed, conditions.date, cell(conditions.machine), cell(conditions.call)};
     for (const StudyResult* result : results)
         for (const MethodResult& r : result->methods)
-            text += (csvRow(*result, r) + last).join(',') + '\n';
+            if (result == results.front() || !(r.method == result->truth)) // that one is there already
+                text += (csvRow(*result, r) + last).join(',') + '\n';
     return text;
 }
 

@@ -66,10 +66,15 @@ QString methodOf(const Csv& csv, qsizetype row) {
     return name;
 }
 
+QString errorOf(const Csv& csv, qsizetype row, const QString& column) {
+    const bool reference = csv.at(row, "engine") == "event" && csv.at(row, "precision") == "quad";
+    return reference ? QString("reference") : digits(csv.at(row, column), " m");
+}
+
 QString markdown(const Csv& csv) {
     QString text =
-        "| method | µs a throw | middle half | ratio | same pins touched | error after 2 s, median | "
-        "missed | repeated |\n|---|---:|---:|---:|---:|---:|---:|---:|\n";
+        "| method | µs a throw | middle half | ratio | same pins touched | error at the end, median | "
+        "rms | missed | repeated |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for (qsizetype row = 0; row < csv.rows(); ++row) {
         const QString same = csv.at(row, "same_pins_percent");
         const QString middle =
@@ -82,7 +87,8 @@ QString markdown(const Csv& csv) {
                             middle,
                             digits(csv.at(row, "cost_ratio")),
                             same.isEmpty() ? "–" : QString::number(same.toDouble(), 'f', 2) + " %",
-                            digits(csv.at(row, "error_m"), " m"),
+                            errorOf(csv, row, "error_m"),
+                            errorOf(csv, row, "error_rms_m"),
                             digits(csv.at(row, "missed")),
                             digits(csv.at(row, "repeated"))}
                     .join(" | ") +

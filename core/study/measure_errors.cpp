@@ -8,6 +8,13 @@
 #include <thread>
 
 namespace thetalane {
+namespace {
+
+// The paper's loop exchanges what sticks at every step: 200,000 steps of a throw at 1/100,000 s, of two
+// pairs.
+constexpr std::int64_t stickingCollisions = 500'000;
+
+} // namespace
 
 ErrorMeter::ErrorMeter(const StudyCases& cases, const Truth& truth, std::vector<Method> methods,
                        std::vector<bool> leftOut)
@@ -41,6 +48,8 @@ void ErrorMeter::measure(std::size_t end, int threads, const std::function<void(
             meanwhile();
     }
     workers.clear();
+    if (m_failure)
+        std::rethrow_exception(m_failure);
     m_next = m_tasksDone.load(); // every worker went one too far
 }
 
@@ -51,7 +60,13 @@ void ErrorMeter::work(std::size_t end, std::stop_token stop) {
             if (task >= end)
                 return;
         while (!m_next.compare_exchange_weak(task, task + 1));
-        measureOne(task);
+        try {
+            measureOne(task);
+        } catch (...) { // out of memory: told by whoever waits for the workers
+            const std::lock_guard lock(m_lock);
+            m_failure = std::current_exception();
+            return;
+        }
         ++m_tasksDone;
     }
 }
@@ -62,7 +77,7 @@ void ErrorMeter::begin(std::size_t index) {
                      ? m_truth.first
                      : std::make_shared<const Run>(truthOf(m_truth, m_cases.scenes[index]));
     const std::vector<double> digits = digitsLeft(*slot.truth);
-    const std::lock_guard lock(m_digitsLock);
+    const std::lock_guard lock(m_lock);
     if (!digits.empty())
         m_fewestDigits = std::min(m_fewestDigits, digits.back());
     else if (!slot.truth->timeline.collisions().empty())
@@ -77,7 +92,7 @@ void ErrorMeter::measureOne(std::size_t task) {
         const Run& truth = *slot.truth;
         Method m = m_methods[method];
         // What sticks or is exchanged again and again must not fill the memory.
-        m.settings.maxCollisions = 20 * truth.timeline.collisionCount() + 100'000;
+        m.settings.maxCollisions = 20 * truth.timeline.collisionCount() + stickingCollisions;
         if (m_methods[method] == m_truth.method)
             m_errors[task] = compareRuns(truth, truth, m_truth.until);
         else
@@ -105,7 +120,7 @@ std::vector<CaseError> ErrorMeter::errorsOf(std::size_t method) const {
 }
 
 double ErrorMeter::fewestDigits() const {
-    const std::lock_guard lock(m_digitsLock);
+    const std::lock_guard lock(m_lock);
     return m_digitsKnown ? m_fewestDigits : std::numeric_limits<double>::infinity();
 }
 

@@ -5,6 +5,7 @@
 #include "core/study/truth.h"
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -48,9 +49,10 @@ private:
     std::unique_ptr<std::atomic<bool>[]> m_done;
     std::atomic<std::size_t> m_next{0}; // task: case by case, method by method
     std::atomic<std::size_t> m_tasksDone{0};
-    mutable std::mutex m_digitsLock;
+    mutable std::mutex m_lock; // of what follows
     double m_fewestDigits;
     bool m_digitsKnown = true;
+    std::exception_ptr m_failure;
 };
 
 } // namespace thetalane
