@@ -128,7 +128,9 @@ std::variant<int, StudyPicture> studyOfMethods(const MethodsCall& call) {
     QList<const StudyResult*> results{&result};
     StudyResult models;
     const StudyOptions ablation = ablationStudy(call.cases.scenes.front());
-    if (call.models && ablation.methods.size() > 1 && !result.cancelled) {
+    // The rule of ties alone says little about one scene.
+    const bool worthIt = ablation.methods.size() > (call.throws ? 1 : 2);
+    if (call.models && worthIt && !result.cancelled) {
         models = study(call.cases, ablation, interruption.token());
         results << &models;
     }

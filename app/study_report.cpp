@@ -29,6 +29,8 @@ QString ratioText(const MethodResult& r) {
 }
 
 QString spreadText(const MethodResult& r) {
+    if (r.state == MethodState::TooSlow && !std::isfinite(r.cost.median))
+        return QStringLiteral("–");
     if (r.state == MethodState::TooSlow)
         return StudyReportText::tr("about %1").arg(costText(r.cost.median));
     return r.costRounds > 0 ? costText(r.cost.median) : QStringLiteral("–");

@@ -14,8 +14,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <random>
+#include <unordered_map>
 
 namespace thetalane {
 namespace {
@@ -227,11 +229,21 @@ std::vector<double> digitsLeft(const Run& run) {
 }
 
 std::vector<double> digitsInCommon(const Run& truth, const Run& run) {
-    const auto a = truth.timeline.collisions(), b = run.timeline.collisions();
+    const auto there = truth.timeline.collisions(), here = run.timeline.collisions();
+    // In a crowd far apart things happen in another order: the n-th time that the same two meet is the same.
+    std::unordered_map<MetName, std::deque<std::size_t>> meetings;
+    for (std::size_t k = 0; k < there.size(); ++k)
+        meetings[nameOf(there[k])].push_back(k);
     const double most = mostDigits(run.settings.precision);
-    std::vector<double> digits(std::min(a.size(), b.size()));
-    for (std::size_t k = 0; k < digits.size(); ++k)
-        digits[k] = nameOf(a[k]) == nameOf(b[k]) ? digitsOf(disagreement(a[k], b[k]), most) : 0;
+    std::vector<double> digits;
+    for (const Collision& c : here) {
+        if (c.time > truth.timeline.endTime())
+            break;
+        auto& same = meetings[nameOf(c)];
+        digits.push_back(same.empty() ? 0 : digitsOf(disagreement(there[same.front()], c), most));
+        if (!same.empty())
+            same.pop_front();
+    }
     return digits;
 }
 

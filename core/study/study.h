@@ -74,7 +74,7 @@ struct StudyResult {
     std::vector<MethodResult> methods; // in the order asked for
     double until = 0;                  // [s]; less than asked where the truth would take too long
     double untilAsked = 0;
-    Method truth; // the reference in double for crowds for which 113 bits are too dear
+    Method truth; // in double for crowds of which 113 bits are too dear (core/study/truth.h)
     // The least over the cases, at the last collision; infinite where it is not known.
     double truthDigits = 0;
     std::size_t cases = 0; // done, with every method

@@ -1,6 +1,7 @@
 #include "core/study/truth.h"
 
 #include "core/engine/engine_in_steps.h"
+#include "core/study/digits_left.h"
 #include "core/study/measure_cost.h"
 
 #include <algorithm>
@@ -19,6 +20,16 @@ private:
     using Time = std::chrono::steady_clock;
     Time::time_point m_start = Time::now();
 };
+
+// Half way between the last contact that can be trusted and the next one.
+double trustedUntil(const Run& run, double until) {
+    const auto collisions = run.timeline.collisions();
+    const auto digits = digitsLeft(run);
+    for (std::size_t k = 1; k < digits.size(); ++k)
+        if (digits[k] < fewestTrueDigits && collisions[k].time > collisions[k - 1].time)
+            return (collisions[k - 1].time + collisions[k].time) / 2;
+    return until;
+}
 
 std::unique_ptr<EngineInSteps> start(const Scene& scene, const EngineSettings& settings) {
     return settings.precision == Precision::Quad ? startNextEventQuad(scene, settings)
@@ -46,7 +57,13 @@ Truth truthWithin(const StudyCases& cases, const Method& method, double patience
     if (!end || *end == EndReason::MaxCollisions)
         truth.until = (timeline.collisions().back().time + next) / 2;
     settings.until = truth.until;
-    truth.first = std::make_shared<const Run>(Run{std::move(scene), settings, std::move(timeline)});
+    Run run{std::move(scene), settings, std::move(timeline)};
+    if (settings.precision != method.settings.precision)
+        truth.until = trustedUntil(run, truth.until);
+    if (truth.until == settings.until)
+        truth.first = std::make_shared<const Run>(std::move(run));
+    else // without what comes after
+        truth.first = std::make_shared<const Run>(truthOf(truth, cases.scenes.front()));
     return truth;
 }
 

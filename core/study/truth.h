@@ -13,8 +13,10 @@ struct Truth {
     std::shared_ptr<const Run> first; // of the first case
 };
 
-// More bodies than this: 113 bits, which look at all pairs, would take minutes to begin.
-inline constexpr std::size_t mostBodiesInQuad = 1000;
+// Of more bodies than this 113 bits, which look at all pairs, would not get anywhere: the truth is then in
+// double, and ends where chaos has left fewer digits than this of it.
+inline constexpr std::size_t mostBodiesInQuad = 200;
+inline constexpr double fewestTrueDigits = 4;
 
 // patience: for the first case [s]; the others are taken to be alike.
 Truth truthWithin(const StudyCases& cases, const Method& method, double patience, std::stop_token stop = {});
