@@ -40,10 +40,9 @@ void tellWhy(const Choice& choice) {
         EngineChoiceText::tr("measured until %1 s against %2, in %3 s")
             .arg(numberText(choice.until), precisionText(choice.reference), numberText(choice.seconds, 2)));
     if (choice.until < choice.untilAsked)
-        say("  " +
-            EngineChoiceText::tr("not until %1 s, which would have taken too long: what comes later was "
-                                 "not measured, so %2 was asked for")
-                .arg(numberText(choice.untilAsked), metres(choice.tolerance * roomToGrow)));
+        say("  " + EngineChoiceText::tr("not until %1 s, which would have taken too long or have left too "
+                                        "few digits: what comes later was not measured, so %2 was asked for")
+                       .arg(numberText(choice.untilAsked), metres(choice.tolerance * roomToGrow)));
     if (choice.reference != Precision::Quad)
         say("  " + EngineChoiceText::tr("too many bodies for 113 bits: what is measured is the distance from "
                                         "the next-event engine in double"));

@@ -96,8 +96,8 @@ void printNotes(const StudyResult& result) {
     printLine(StudyReportText::tr("Truth: %1; studied until %2 s.")
                   .arg(methodText(result.truth), numberText(result.until)));
     if (result.until < result.untilAsked)
-        printLine(StudyReportText::tr("Until %1 s was asked for, which the truth would not have reached in "
-                                      "the time allowed.")
+        printLine(StudyReportText::tr("Until %1 s was asked for: the truth does not get there in the time "
+                                      "allowed, or chaos has eaten its digits by then.")
                       .arg(numberText(result.untilAsked)));
     if (result.truth.settings.precision != Precision::Quad)
         printLine(StudyReportText::tr(

@@ -62,10 +62,6 @@
         <translation>%1 s까지 %2 계산을 기준으로 쟀습니다. 걸린 시간 %3 s</translation>
     </message>
     <message>
-        <source>not until %1 s, which would have taken too long: what comes later was not measured, so %2 was asked for</source>
-        <translation>%1 s까지는 너무 오래 걸려 재지 않았습니다. 그 뒤의 오차를 알 수 없으므로 %2 안에 드는 것만 골랐습니다</translation>
-    </message>
-    <message>
         <source>too many bodies for 113 bits: what is measured is the distance from the next-event engine in double</source>
         <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 잰 값은 배정밀도 정확한 계산과의 차이입니다</translation>
     </message>
@@ -80,6 +76,10 @@
     <message>
         <source>is chosen by --tolerance; leave one of the two out</source>
         <translation>--tolerance가 고르는 값입니다. 둘 중 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>not until %1 s, which would have taken too long or have left too few digits: what comes later was not measured, so %2 was asked for</source>
+        <translation>%1 s까지는 너무 오래 걸리거나 유효 숫자가 모자라 재지 않았습니다. 그 뒤의 오차를 알 수 없으므로 %2 안에 드는 것만 골랐습니다</translation>
     </message>
 </context>
 <context>
@@ -1025,10 +1025,6 @@
         <translation>기준: %1. %2 s까지 쟀습니다.</translation>
     </message>
     <message>
-        <source>Until %1 s was asked for, which the truth would not have reached in the time allowed.</source>
-        <translation>%1 s까지가 요청되었으나, 기준 계산이 정해진 시간 안에 거기까지 이르지 못합니다.</translation>
-    </message>
-    <message>
         <source>Too many bodies for 113 bits: the truth is the next-event run itself, and has its errors.</source>
         <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 기준은 배정밀도 정확한 계산 자체이며, 그 오차를 그대로 지닙니다.</translation>
     </message>
@@ -1135,6 +1131,10 @@
     <message>
         <source>Energy: off at the end, of the energy at the start. Missed, repeated: contacts, a case.</source>
         <translation>에너지: 끝난 때의 차이를 처음 에너지로 나눈 값. 놓친 충돌과 되풀이한 충돌: 한 경우의 횟수.</translation>
+    </message>
+    <message>
+        <source>Until %1 s was asked for: the truth does not get there in the time allowed, or chaos has eaten its digits by then.</source>
+        <translation>%1 s까지가 요청되었으나, 기준 계산이 정해진 시간 안에 거기까지 이르지 못하거나 그 전에 혼돈으로 유효 숫자를 잃습니다.</translation>
     </message>
 </context>
 <context>
