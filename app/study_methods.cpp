@@ -58,6 +58,8 @@ public:
         const auto now = Clock::now();
         if (p.stage == StudyStage::Errors && p.done < p.total && now - m_last < std::chrono::seconds(1))
             return;
+        if (p.stage == StudyStage::Cost && p.done == 0)
+            return;
         m_last = now;
         switch (p.stage) {
         case StudyStage::Truth:

@@ -57,7 +57,8 @@ double CostMeter::timeOnce(std::size_t method) const {
     return threadTime() - start;
 }
 
-bool CostMeter::round(const std::vector<bool>& leftOut, std::stop_token stop) {
+bool CostMeter::round(const std::vector<bool>& leftOut, std::stop_token stop,
+                      const std::function<void(std::size_t)>& after) {
     for (std::size_t m = 0; m < m_methods.size(); ++m) {
         if (leftOut[m])
             continue;
@@ -78,6 +79,8 @@ bool CostMeter::round(const std::vector<bool>& leftOut, std::stop_token stop) {
             taken += timeOnce(m);
         m_taken[m].push_back(1e6 * taken / m_times[m] / double(m_scenes.size()));
         m_spent += threadTime() - begin;
+        if (after)
+            after(m);
     }
     return true;
 }

@@ -15,8 +15,10 @@ public:
     // Cases spread over all of them are run, the same ones by every method.
     CostMeter(const StudyCases& cases, double until, std::vector<Method> methods);
 
-    // One round: every method that is not left out once; false when it was stopped. Then the costs so far.
-    bool round(const std::vector<bool>& leftOut, std::stop_token stop);
+    // One round: every method that is not left out once, `after` each; false when it was stopped. Then the
+    // costs so far.
+    bool round(const std::vector<bool>& leftOut, std::stop_token stop,
+               const std::function<void(std::size_t method)>& after = {});
     int rounds(std::size_t method) const { return int(m_taken[method].size()); }
     Quartiles cost(std::size_t method) const; // of a case [µs]
     double ratio(std::size_t method) const;   // to the first method, median of the rounds

@@ -145,10 +145,13 @@ private:
         const double mostSpent = 6 * m_options.patience;
         constexpr int fewest = 3;
         for (int k = 0; k < m_options.costRounds && (k < fewest || costs.spent() < mostSpent); ++k) {
-            if (!costs.round(m_leftOut, m_stop))
-                return;
-            for (std::size_t m = 0; m < m_result.methods.size(); ++m)
+            const auto after = [&](std::size_t m) {
                 takeOver(costs, m);
+                if (k == 0) // the first look comes point by point
+                    tell(StudyStage::Cost, 0, std::size_t(m_options.costRounds));
+            };
+            if (!costs.round(m_leftOut, m_stop, after))
+                return;
             tell(StudyStage::Cost, std::size_t(k + 1), std::size_t(m_options.costRounds));
         }
     }

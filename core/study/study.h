@@ -101,8 +101,8 @@ struct StudyProgress {
     std::size_t total = 0;
 };
 
-// Called on the thread that runs the study, some ten times a second, with what is known so far; for the first
-// time when every method has one round of costs and the first cases.
+// Called on the thread that runs the study, some ten times a second, with what is known so far: first with
+// the errors of a few cases, then with the costs method by method.
 using StudyReport = std::function<void(const StudyResult&, const StudyProgress&)>;
 
 // Returns what it has when `stop` is requested, labelled; one run is not interrupted.

@@ -255,7 +255,7 @@ private slots:
         bool withCosts = false;
         (void)runStudy(rackThrows(60), optionsOf(studyMethods(MethodSet::Quick), 2),
                        [&](const StudyResult& soFar, const StudyProgress& p) {
-                           if (p.stage == StudyStage::Cost && looks++ == 0) {
+                           if (p.stage == StudyStage::Cost && p.done > 0 && looks++ == 0) {
                                firstCases = soFar.cases;
                                withCosts = soFar.methods.back().costRounds == 1;
                            }
