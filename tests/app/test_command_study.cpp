@@ -148,8 +148,8 @@ private slots:
         const QString csv = folder.filePath("t.csv");
         QProcess process;
         process.setEnvironment({"PATH=/usr/bin:/bin"});
-        process.start(THETALANE_PROGRAM,
-                      {"study", "throws", "--throws", "100000", "--methods", "quick", "--csv", csv, "--language", "en"});
+        process.start(THETALANE_PROGRAM, {"study", "throws", "--throws", "100000", "--methods", "quick",
+                                          "--csv", csv, "--language", "en"});
         QVERIFY(process.waitForStarted());
         process.setReadChannel(QProcess::StandardError);
         QByteArray said;
