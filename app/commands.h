@@ -1,6 +1,7 @@
 // The commands of the program, one file each.
 #pragma once
 
+#include "app/studies.h"
 #include "app/window.h"
 #include "ui/words/language.h"
 
@@ -23,7 +24,7 @@ struct Call {
 struct Command {
     const char* name;
     const char* summary;     // in English; commandSummary() translates
-    int (*run)(const Call&); // null: picture and map, which may be drawn by an application of their own
+    int (*run)(const Call&); // null: picture, map and study, which may be drawn by an application of their own
 };
 
 // In the order of --help.
@@ -34,7 +35,6 @@ QString commandSummary(const QString& name);
 int runCommand(const Call& call);
 int explainCommand(const Call& call);
 int throwCommand(const Call& call);
-int studyCommand(const Call& call);
 int scoreCommand(const Call& call);
 int scenesCommand(const Call& call);
 int sceneCommand(const Call& call);
@@ -42,5 +42,6 @@ int sceneCommand(const Call& call);
 // The status to leave with, or what to draw.
 std::variant<int, PictureRequest> readPictureCall(const Call& call);
 std::variant<int, MapPictureRequest> mapCommand(const Call& call);
+std::variant<int, StudyPicture> readStudyCall(const Call& call);
 
 } // namespace thetalane

@@ -83,7 +83,7 @@ std::variant<int, WindowRequest> readWindowCall(const Call& call) {
 }
 
 // The status to leave with, or what a window is to open or to be drawn with.
-using Outcome = std::variant<int, WindowRequest, PictureRequest, MapPictureRequest>;
+using Outcome = std::variant<int, WindowRequest, PictureRequest, MapPictureRequest, StudyPicture>;
 
 Outcome toOutcome(auto&& read) {
     return std::visit([](auto&& value) -> Outcome { return std::forward<decltype(value)>(value); },
@@ -113,6 +113,8 @@ Outcome dispatch(int& argc, char** argv) {
         return toOutcome(readPictureCall(call));
     if (name == "map")
         return toOutcome(mapCommand(call));
+    if (name == "study")
+        return toOutcome(readStudyCall(call));
     for (const Command& command : commands())
         if (name == command.name)
             return command.run(call);
@@ -127,6 +129,8 @@ int start(int argc, char** argv) {
         return drawPicture(argc, argv, *picture);
     if (const auto* map = std::get_if<MapPictureRequest>(&outcome))
         return drawMapPicture(argc, argv, *map);
+    if (const auto* study = std::get_if<StudyPicture>(&outcome))
+        return drawStudyPicture(argc, argv, *study);
     return std::get<int>(outcome);
 }
 

@@ -1,6 +1,7 @@
 // In place of window.cpp where the program is built without a window.
 #include "app/console.h"
 #include "app/map_picture.h"
+#include "app/studies.h"
 #include "app/window.h"
 
 #include <QCoreApplication>
@@ -20,6 +21,11 @@ int drawPicture(int&, char**, const PictureRequest&) {
 int drawMapPicture(int&, char**, const MapPictureRequest&) {
     return failure(QCoreApplication::translate(
         "NoWindow", "--picture: this program was built without the window, and cannot draw it"));
+}
+
+int drawStudyPicture(int&, char**, const StudyPicture&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "picture: this program was built without the window, and cannot draw it"));
 }
 
 } // namespace thetalane

@@ -1,0 +1,30 @@
+// What a study holds its methods against: as far as it can be had in the time allowed.
+#pragma once
+
+#include "core/study/study.h"
+
+#include <memory>
+
+namespace thetalane {
+
+struct Truth {
+    Method method;                    // as asked for, or in double where 113 bits are too dear
+    double until = 0;                 // [s]; that far it got
+    std::shared_ptr<const Run> first; // of the first case
+};
+
+// Of more bodies than this 113 bits, which look at all pairs, would not get anywhere: the truth is then in
+// double, and ends where chaos has left fewer digits than this of it.
+inline constexpr std::size_t mostBodiesInQuad = 200;
+inline constexpr double fewestTrueDigits = 4;
+
+// patience: for the first case [s]; the others are taken to be alike.
+Truth truthWithin(const StudyCases& cases, const Method& method, double patience, std::stop_token stop = {});
+
+// One run of it on another case.
+Run truthOf(const Truth& truth, const Scene& scene);
+
+// About how long one run would take [s]; a few steps are run to find out where it might be long.
+double expectedTime(const Method& method, const Scene& scene, double until);
+
+} // namespace thetalane
