@@ -71,6 +71,7 @@ QWidget* StepPanel::makeHead() {
     auto* head = new QWidget;
     m_title = new QLabel;
     m_title->setObjectName("collisionTitle");
+    m_title->setWordWrap(true); // of millions
     m_partners = new QLabel;
     m_partners->setObjectName("collisionPartners");
     m_partners->setTextFormat(Qt::RichText);
