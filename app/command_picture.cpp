@@ -56,12 +56,15 @@ QString outputOption(Arguments& a) {
     return path;
 }
 
-// As the window will run it.
+// As the window will run it, as far as is asked.
 std::optional<QString> collisionFault(const Scene& scene, std::size_t asked) {
-    const auto outcome = simulateOrTell(scene, EngineSettings{});
+    EngineSettings settings;
+    settings.maxCollisions = std::int64_t(asked) + 1;
+    settings.keepDetail = false;
+    const auto outcome = simulateOrTell(scene, settings);
     if (const auto* fault = std::get_if<QString>(&outcome))
         return *fault;
-    const std::size_t count = std::get<Run>(outcome).timeline.collisions().size();
+    const auto count = std::size_t(std::get<Run>(outcome).timeline.collisionCount());
     if (asked < count)
         return std::nullopt;
     return "--collision: " + (count == 0

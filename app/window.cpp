@@ -139,9 +139,12 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     window.show();
     QCoreApplication::processEvents();
     if (request.collision) {
-        app.playhead.select(*request.collision);
+        const auto number = std::int64_t(*request.collision) + 1;
+        app.session.waitFor(number);
+        app.playhead.selectNumber(number);
         app.playhead.setStage(request.stage);
     } else {
+        app.session.waitFor(request.at);
         app.playhead.setTime(request.at);
     }
     QCoreApplication::processEvents();

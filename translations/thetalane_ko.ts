@@ -1949,6 +1949,22 @@
         <source>Nothing collides in this scene.</source>
         <translation>이 장면에서는 충돌이 일어나지 않습니다.</translation>
     </message>
+    <message>
+        <source>The collisions before these</source>
+        <translation>이전 충돌 목록</translation>
+    </message>
+    <message>
+        <source>The collisions after these</source>
+        <translation>다음 충돌 목록</translation>
+    </message>
+    <message>
+        <source>Collisions %1 to %2 of %3</source>
+        <translation>충돌 %1–%2 / %3</translation>
+    </message>
+    <message>
+        <source>Collisions %1 to %2</source>
+        <translation>충돌 %1–%2</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::CollisionModel</name>
@@ -2304,6 +2320,10 @@
             <numerusform>같은 순간에 %n건 더, 모두 %1회차에 걸쳐 계산</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not computed yet; so far %1 s</source>
+        <translation>아직 계산되지 않은 구간입니다. 지금까지 %1 s를 계산했습니다.</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::StepFigure</name>
@@ -2383,6 +2403,10 @@
     <message>
         <source>Change a velocity or a position so that two bodies meet.</source>
         <translation>두 물체가 충돌하도록 속도나 위치를 바꾸어 봅시다.</translation>
+    </message>
+    <message>
+        <source>Collision %1</source>
+        <translation>충돌 %1</translation>
     </message>
 </context>
 <context>
@@ -2580,6 +2604,17 @@
     <message>
         <source>Play (Space)</source>
         <translation>재생 (스페이스 바)</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::UntilChooser</name>
+    <message>
+        <source>End of the run</source>
+        <translation>계산을 마치는 시각</translation>
+    </message>
+    <message>
+        <source>The run goes on until %1; choose a longer or a shorter one</source>
+        <translation>%1까지의 운동을 계산합니다. 더 길거나 짧은 시간을 고를 수 있습니다.</translation>
     </message>
 </context>
 <context>

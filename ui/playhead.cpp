@@ -3,6 +3,7 @@
 #include "ui/session.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace thetalane {
 
@@ -13,24 +14,52 @@ Playhead::Playhead(Session& session, QObject* parent)
     m_timer.setInterval(16);
     connect(&m_timer, &QTimer::timeout, this, [this] { advance(double(m_clock.nsecsElapsed()) * 1e-9); });
     connect(&session, &Session::runChanged, this, &Playhead::startAgain);
+    connect(&session, &Session::progressed, this, &Playhead::followProgress);
 }
 
 double Playhead::end() const {
     return m_session.shownUntil();
 }
 
+std::optional<std::size_t> Playhead::selected() const {
+    const std::int64_t index = m_selected.value_or(0) - m_session.part().collisionsBefore - 1;
+    if (!m_selected || index < 0 || index >= std::int64_t(m_session.timeline().collisions().size()))
+        return std::nullopt;
+    return std::size_t(index);
+}
+
 void Playhead::setTime(double time) {
     clearSelection();
-    moveTo(time);
+    goTo(time, m_session.patience());
+}
+
+void Playhead::goTo(double time, int patience) {
+    m_wish.reset();
+    time = std::clamp(time, 0.0, end());
+    const double there = std::min(time, m_session.reach());
+    if (auto chapter = m_session.chapter(there, patience))
+        put(std::move(chapter), there);
+    if (m_time != time)
+        m_wish = time;
+}
+
+// The time first: who is shown another chapter shows it as it is then.
+void Playhead::put(std::shared_ptr<const Chapter> chapter, double time) {
+    const bool moves = time != m_time;
+    m_time = time;
+    m_session.showChapter(std::move(chapter));
+    if (moves)
+        emit timeChanged(time);
 }
 
 void Playhead::setPlaying(bool on) {
     if (on == playing())
         return;
     if (on) {
+        m_wish.reset();
         clearSelection();
         if (m_time >= end())
-            moveTo(0);
+            goTo(0, m_session.patience());
         m_clock.start();
         m_timer.start();
     } else {
@@ -51,32 +80,73 @@ void Playhead::stepFrames(int frames) {
     setTime(m_time + frames * frame());
 }
 
-void Playhead::stepCollisions(int forward) {
+// The number of the collision before or after, also beyond the present chapter.
+std::optional<std::int64_t> Playhead::neighbour(int forward) const {
+    const RunPart part = m_session.part();
     const Timeline& timeline = m_session.timeline();
-    std::optional<std::size_t> target;
-    if (m_selected && forward > 0)
-        target =
-            *m_selected + 1 < timeline.collisions().size() ? std::optional(*m_selected + 1) : std::nullopt;
-    else if (m_selected)
-        target = *m_selected > 0 ? std::optional(*m_selected - 1) : std::nullopt;
+    const auto index = forward > 0 ? timeline.collisionAfter(m_time) : timeline.collisionBefore(m_time);
+    std::int64_t number = 0;
+    if (m_selected)
+        number = *m_selected + forward;
+    else if (index)
+        number = part.collisionsBefore + std::int64_t(*index) + 1;
     else
-        target = forward > 0 ? timeline.collisionAfter(m_time) : timeline.collisionBefore(m_time);
-    if (target)
-        select(*target);
+        number = part.collisionsBefore + (forward > 0 ? std::int64_t(timeline.collisions().size()) + 1 : 0);
+    return number >= 1 && number <= part.collisionCount ? std::optional(number) : std::nullopt;
+}
+
+bool Playhead::canStepCollisions(int forward) const {
+    return neighbour(forward).has_value();
+}
+
+void Playhead::stepCollisions(int forward) {
+    if (const auto number = neighbour(forward))
+        selectNumber(*number);
 }
 
 void Playhead::select(std::size_t collision) {
-    const auto collisions = m_session.timeline().collisions();
-    if (collision >= collisions.size())
+    if (collision < m_session.timeline().collisions().size())
+        selectNumber(m_session.part().collisionsBefore + std::int64_t(collision) + 1);
+}
+
+void Playhead::selectNumber(std::int64_t number) {
+    const RunPart part = m_session.part();
+    if (number < 1 || (part.ended && number > part.collisionCount))
         return;
     setPlaying(false);
-    const bool changed = m_selected != collision;
-    m_selected = collision;
-    moveTo(collisions[collision].time);
-    if (!changed)
+    open(number, m_selected == number ? m_stage : Stage::Contact, m_session.patience());
+}
+
+void Playhead::open(std::int64_t number, Stage stage, int patience) {
+    m_wish.reset();
+    auto chapter = m_session.chapter(number, patience);
+    if (!chapter) {
+        m_wish = number;
+        m_wishedStage = stage;
         return;
-    setStage(Stage::Contact);
-    emit selectionChanged();
+    }
+    const bool changed = m_selected != number;
+    m_selected = number;
+    const auto index = std::size_t(number - chapter->collisionsBefore - 1);
+    const double time = std::min(chapter->timeline.collisions()[index].time, end());
+    put(std::move(chapter), time);
+    setStage(stage);
+    if (changed)
+        emit selectionChanged();
+}
+
+void Playhead::selectBeyond(int body) {
+    const RunPart part = m_session.part();
+    const std::int64_t next =
+        part.collisionsBefore + std::int64_t(m_session.timeline().collisions().size()) + 1;
+    const auto chapter = part.last ? nullptr : m_session.chapter(next);
+    if (!chapter)
+        return;
+    const auto all = chapter->timeline.collisions();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [body](const Collision& c) { return c.involves(body); });
+    if (found != all.end())
+        selectNumber(next + (found - all.begin()));
 }
 
 void Playhead::clearSelection() {
@@ -97,22 +167,51 @@ void Playhead::stepStage(int forward) {
     setStage(Stage(std::clamp(int(m_stage) + forward, 0, stageCount - 1)));
 }
 
+void Playhead::runUntil(double until) {
+    const double time = m_time;
+    const auto number = m_selected;
+    const Stage stage = m_stage;
+    if (until == m_session.until() || m_session.setUntil(until))
+        return;
+    if (number && time <= end())
+        open(*number, stage, m_session.patience());
+    else
+        setTime(time);
+}
+
+// Never further than is computed: where that is slow, the clock waits.
 void Playhead::advance(double seconds) {
     m_clock.restart();
-    moveTo(m_time + seconds * m_rate);
+    const double time = std::clamp(m_time + seconds * m_rate, 0.0, std::min(end(), m_session.reach()));
+    if (auto chapter = m_session.chapter(time, int(m_timer.interval())))
+        put(std::move(chapter), time);
+    m_session.expectTime(m_session.part().to);
     if (m_time >= end())
         setPlaying(false);
 }
 
-void Playhead::moveTo(double time) {
-    time = std::clamp(time, 0.0, end());
-    if (time == m_time)
+// A wish is asked for without waiting: whoever wished it has gone on.
+void Playhead::followProgress() {
+    const RunPart part = m_session.part();
+    if (m_time > end())
+        goTo(end(), m_session.patience());
+    const auto wish = std::exchange(m_wish, std::nullopt);
+    if (!wish)
         return;
-    m_time = time;
-    emit timeChanged(time);
+    if (const auto* number = std::get_if<std::int64_t>(&*wish)) {
+        if (*number <= part.collisionCount)
+            open(*number, m_wishedStage, 0);
+        else if (!part.ended)
+            m_wish = wish;
+    } else if (part.ended || std::get<double>(*wish) <= m_session.reach()) {
+        goTo(std::get<double>(*wish), 0);
+    } else {
+        m_wish = wish;
+    }
 }
 
 void Playhead::startAgain() {
+    m_wish.reset();
     setPlaying(false);
     m_selected.reset();
     m_stage = Stage::Contact;

@@ -3,31 +3,40 @@
 #include "core/scene/builtin.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thetalane {
 namespace {
 
-// What a window keeps at the most: every collision with all its steps, about 60 MB. A class does not look at
-// more.
-constexpr std::int64_t mostCollisions = 125'000;
+constexpr int lookEvery = 50; // [ms] slower than the screen, faster than a glance
 
-double worthShowing(const Run& run) {
-    constexpr double afterLast = 1.5;
-    constexpr double withoutAny = 4;
-    const Timeline& timeline = run.timeline;
-    if (timeline.collisions().empty())
-        return std::min(timeline.endTime(), withoutAny);
-    const bool goesOn = timeline.endReason() == EndReason::Until && !run.scene.lane;
-    return goesOn ? timeline.endTime()
-                  : std::min(timeline.endTime(), timeline.collisions().back().time + afterLast);
+// What refuses settings refuses them whatever the scene.
+std::optional<Refusal> refusalOf(EngineSettings settings) {
+    Scene still;
+    still.bodies = {{"A", BodyKind::Ball, 1, 1, {}, {}}};
+    settings.kind = EngineKind::Event;
+    const auto outcome = simulate(std::move(still), settings);
+    const auto* refusal = std::get_if<Refusal>(&outcome);
+    return refusal ? std::optional(*refusal) : std::nullopt;
 }
 
 } // namespace
 
 Session::Session(QObject* parent)
-    : QObject(parent) {
-    m_settings.maxCollisions = mostCollisions;
+    : Session(Limits{}, parent) {}
+
+Session::Session(const Limits& limits, QObject* parent)
+    : QObject(parent)
+    , m_limits(limits) {
+    m_settings.maxCollisions = limits.mostInChapters;
+    m_look.setInterval(lookEvery);
+    connect(&m_look, &QTimer::timeout, this, &Session::takeProgress);
     openBuiltin("two-balls");
+}
+
+RunPart Session::part() const {
+    return {m_chapter->from,       m_chapter->to,         m_chapter->collisionsBefore, m_chapter->last,
+            m_progress.collisions, m_progress.computedTo, m_progress.end.has_value()};
 }
 
 std::vector<SceneError> Session::setScene(const Scene& scene) {
@@ -37,7 +46,7 @@ std::vector<SceneError> Session::setScene(const Scene& scene) {
     m_sceneId.clear();
     if (!scene.lane)
         m_throw.reset();
-    adopt(std::get<Run>(simulate(scene, m_settings)));
+    begin(scene);
     return {};
 }
 
@@ -48,17 +57,39 @@ std::vector<SceneError> Session::setThrow(const Throw& ballThrow, double restitu
         return errors;
     m_sceneId = "bowling";
     m_throw = ballThrow;
-    adopt(std::get<Run>(simulate(scene, m_settings)));
+    begin(scene);
     return {};
 }
 
-std::optional<Refusal> Session::setEngine(const EngineSettings& settings) {
-    auto outcome = simulate(m_run->scene, settings);
+std::optional<Refusal> Session::setEngine(const EngineSettings& asked) {
+    EngineSettings settings = asked;
+    const bool inChapters = settings.kind == EngineKind::Event;
+    settings.maxCollisions = inChapters ? m_limits.mostInChapters : m_limits.mostWhole;
+    if (inChapters) {
+        if (const auto refusal = refusalOf(settings))
+            return refusal;
+        m_settings = settings;
+        begin(scene());
+        return std::nullopt;
+    }
+    auto outcome = simulate(scene(), settings);
     if (const auto* refusal = std::get_if<Refusal>(&outcome))
         return *refusal;
     m_settings = settings;
     adopt(std::get<Run>(std::move(outcome)));
     return std::nullopt;
+}
+
+std::optional<Refusal> Session::setUntil(double until) {
+    EngineSettings settings = m_settings;
+    settings.until = until;
+    return settings == m_settings ? std::nullopt : setEngine(settings);
+}
+
+bool Session::isLimitedByUntil() const {
+    if (!m_progress.end)
+        return true;
+    return m_progress.end == EndReason::Until && m_progress.collisions > 0 && !scene().lane;
 }
 
 bool Session::openBuiltin(const QString& id) {
@@ -81,19 +112,112 @@ void Session::start(Scene scene, const QString& id, std::optional<Throw> ballThr
     m_opened = std::move(scene);
     m_openedId = id;
     m_openedThrow = ballThrow;
+    m_settings.until = EngineSettings{}.until; // ten minutes were asked for of another scene
     reset();
 }
 
 void Session::reset() {
     m_sceneId = m_openedId;
     m_throw = m_openedThrow;
-    adopt(std::get<Run>(simulate(m_opened, m_settings)));
+    begin(m_opened);
 }
 
-void Session::adopt(Run run) {
-    m_run = std::make_shared<const Run>(std::move(run));
-    m_shownUntil = worthShowing(*m_run);
-    emit runChanged(m_run);
+// The first chapter at once: of most scenes it is the whole run. The rest in its own time.
+void Session::begin(const Scene& scene) {
+    m_ahead.reset(); // it would only be in the way
+    if (m_settings.kind != EngineKind::Event)
+        return adopt(std::get<Run>(simulate(scene, m_settings)));
+    auto run = std::make_unique<LongRun>(scene, m_settings, m_limits.chapters);
+    run->goOn();
+    auto first = run->chapterAt(0);
+    if (run->ended())
+        run.reset();
+    adoptFirst(std::move(first), std::move(run));
+}
+
+void Session::adopt(Run whole) {
+    auto chapter = std::make_shared<Chapter>();
+    static_cast<Run&>(*chapter) = std::move(whole);
+    chapter->to = chapter->timeline.endTime();
+    chapter->last = true;
+    adoptFirst(std::move(chapter), nullptr);
+}
+
+void Session::adoptFirst(std::shared_ptr<const Chapter> chapter, std::unique_ptr<LongRun> rest) {
+    m_ahead.reset();
+    m_awaited = false;
+    m_chapter = std::move(chapter);
+    if (rest) {
+        m_ahead = std::make_unique<RunAhead>(std::move(rest));
+        m_progress = m_ahead->progress();
+        m_look.start();
+    } else {
+        const Timeline& all = timeline();
+        const auto collisions = all.collisions();
+        m_progress = {all.endTime(), all.collisionCount(), all.endReason(),
+                      collisions.empty() ? 0 : collisions.back().time};
+        m_look.stop();
+    }
+    m_shownUntil = worthShowing();
+    emit runChanged(m_chapter);
+}
+
+double Session::worthShowing() const {
+    constexpr double afterLast = 1.5;
+    constexpr double withoutAny = 4;
+    if (!m_progress.end)
+        return m_settings.until;
+    const double end = m_progress.computedTo;
+    if (m_progress.collisions == 0)
+        return std::min(end, withoutAny);
+    const bool goesOn = m_progress.end == EndReason::Until && !scene().lane;
+    return goesOn ? end : std::min(end, m_progress.lastCollision + afterLast);
+}
+
+double Session::reach() const {
+    return m_progress.end ? m_shownUntil : std::nextafter(m_progress.computedTo, 0.0);
+}
+
+std::shared_ptr<const Chapter> Session::chapter(const RunAhead::Place& place, int patience) {
+    const double* time = std::get_if<double>(&place);
+    if (time ? m_chapter->holdsTime(*time) : m_chapter->holdsCollision(std::get<std::int64_t>(place)))
+        return m_chapter;
+    if (!m_ahead)
+        return nullptr;
+    auto found = m_ahead->chapter(place, patience);
+    if (!found) {
+        m_awaited = true;
+        m_look.start();
+    }
+    return found;
+}
+
+void Session::showChapter(std::shared_ptr<const Chapter> chapter) {
+    if (chapter == m_chapter)
+        return;
+    m_chapter = std::move(chapter);
+    emit chapterChanged(m_chapter);
+}
+
+void Session::expectTime(double time) {
+    if (m_ahead && !m_chapter->holdsTime(time))
+        m_ahead->expect(time);
+}
+
+void Session::waitFor(const RunAhead::Place& place) {
+    if (!m_ahead)
+        return;
+    m_ahead->waitFor(place);
+    takeProgress();
+}
+
+void Session::takeProgress() {
+    m_progress = m_ahead->progress();
+    m_shownUntil = worthShowing();
+    m_awaited = false; // whoever waits asks again
+    emit progressed();
+    if (m_ahead && m_progress.end && !m_awaited)
+        m_look.stop();
 }
 
 } // namespace thetalane

@@ -109,6 +109,8 @@ std::shared_ptr<const Chapter> LongRun::computeAgain(std::size_t index) const {
     }
     engine->goOn(end.collisions - start.collisions, most - start.collisions);
     auto chapter = std::make_shared<Chapter>();
+    chapter->scene = m_scene;
+    chapter->settings = m_settings;
     chapter->index = index;
     chapter->from = start.time;
     chapter->collisionsBefore = start.collisions;

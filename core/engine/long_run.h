@@ -10,17 +10,22 @@
 
 namespace thetalane {
 
-// What happened in [from, to). At `from` a collision happens, but in the first chapter.
-struct Chapter {
+// What happened in [from, to). At `from` a collision happens, but in the first chapter. A run to whoever
+// wants one: its timeline is of this chapter alone, with its collisions, and states at from <= t < to.
+// Segments may have begun before; groups count from 1 in every chapter; what lasts beyond the chapter lasts
+// to its end.
+struct Chapter : Run {
     std::size_t index = 0;
     double from = 0;                   // s
     double to = 0;                     // s; timeline.endTime()
     std::int64_t collisionsBefore = 0; // its first collision has the number collisionsBefore + 1
     bool last = false;                 // it holds the end of the run, at `to`
 
-    // Of this chapter alone: its collisions, and states at from <= t < to. Segments may have begun before;
-    // groups count from 1 in every chapter; what lasts beyond the chapter lasts to its end.
-    Timeline timeline;
+    bool holdsTime(double t) const { return from <= t && (t < to || last); }
+    bool holdsCollision(std::int64_t number) const { // from 1
+        return collisionsBefore < number &&
+               number - collisionsBefore <= std::int64_t(timeline.collisions().size());
+    }
 };
 
 class LongRun {

@@ -13,6 +13,9 @@
 namespace thetalane {
 
 struct PanelBench {
+    explicit PanelBench(const Session::Limits& limits = {})
+        : session(limits) {}
+
     Session session;
     Playhead playhead{session};
     Appearance appearance;

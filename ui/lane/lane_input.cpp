@@ -87,9 +87,12 @@ void LaneView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     const auto body = bodyAt(at);
     const auto collision = body ? m_scene.nextCollisionOf(*body) : std::nullopt;
-    m_clickOpened = collision.has_value();
+    const auto before = m_context.playhead.selectedNumber();
     if (collision)
         m_context.playhead.select(*collision);
+    else if (body)
+        m_context.playhead.selectBeyond(*body);
+    m_clickOpened = collision || m_context.playhead.selectedNumber() != before;
 }
 
 // The first click of a double-click on a body has opened its collision, and the view has flown there.

@@ -58,6 +58,7 @@ LaneScene::LaneScene(const Context& context, QObject* parent)
     addItem(m_velocities);
     addItem(m_lasting);
     connect(&context.session, &Session::runChanged, this, &LaneScene::rebuild);
+    connect(&context.session, &Session::chapterChanged, this, &LaneScene::showChapter);
     connect(&context.playhead, &Playhead::timeChanged, this, &LaneScene::showTime);
     connect(&context.playhead, &Playhead::selectionChanged, this, &LaneScene::showSelection);
     connect(&context.appearance, &Appearance::changed, this, [this] { update(); });
@@ -68,31 +69,38 @@ void LaneScene::rebuild() {
     m_run = m_context.session.run();
     const Scene& scene = m_run->scene;
     const double until = m_context.session.shownUntil();
+    m_fit = thetalane::fitRect(*m_run, until);
+    m_whole = thetalane::wholeRect(*m_run, until);
     m_hovered.reset();
     qDeleteAll(m_bodies);
     m_bodies.clear();
 
-    const std::vector<Ink> inks = usualInks(scene);
+    m_inks = usualInks(scene);
     const bool pins = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                   [](const Body& b) { return b.kind == BodyKind::Pin; });
     const bool namesBeside = !pins && scene.bodies.size() <= 30;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        m_bodies.push_back(new BodyItem(scene.bodies[i], inks[i], namesBeside, m_context.appearance));
+        m_bodies.push_back(new BodyItem(scene.bodies[i], m_inks[i], namesBeside, m_context.appearance));
         addItem(m_bodies.back());
     }
     const double speed = fastest(m_run->timeline);
     m_metresPerSpeed = speed > 0 ? 3 * largestRadius(scene) / speed : 0;
-    const QRectF whole = thetalane::wholeRect(*m_run, until);
-    const double margin = 20 * std::max(whole.width(), whole.height());
-    const QRectF world = whole.adjusted(-margin, -margin, margin, margin);
+    const double margin = 20 * std::max(m_whole.width(), m_whole.height());
+    const QRectF world = m_whole.adjusted(-margin, -margin, margin, margin);
     setSceneRect(world);
-    m_paths->build(*m_run, until, inks);
+    m_velocities->setUp(scene.bodies, m_inks, m_metresPerSpeed, 1e-3 * speed, world);
+    showChapter();
+    emit rebuilt();
+}
+
+// The same bodies on the same floor to the same scale; only what happens is of another part of the run.
+void LaneScene::showChapter() {
+    m_run = m_context.session.run();
+    m_paths->build(*m_run, std::min(m_context.session.shownUntil(), m_run->timeline.endTime()), m_inks);
     buildTurnings();
-    m_lasting->setUp(*m_run, world);
-    m_velocities->setUp(scene.bodies, inks, m_metresPerSpeed, 1e-3 * speed, world);
+    m_lasting->setUp(*m_run, sceneRect());
     showTime(m_context.playhead.time());
     showSelection();
-    emit rebuilt();
 }
 
 void LaneScene::buildTurnings() {
@@ -139,14 +147,6 @@ void LaneScene::showSelection() {
     }
     m_paths->setReceding(collision != nullptr);
     m_velocities->setVisible(!collision); // the overlay has its own
-}
-
-QRectF LaneScene::fitRect() const {
-    return thetalane::fitRect(*m_run, m_context.session.shownUntil());
-}
-
-QRectF LaneScene::wholeRect() const {
-    return thetalane::wholeRect(*m_run, m_context.session.shownUntil());
 }
 
 const Collision* LaneScene::selected() const {

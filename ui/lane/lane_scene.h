@@ -27,8 +27,8 @@ public:
     const LastingItem& lasting() const { return *m_lasting; }
     double metresPerSpeed() const { return m_metresPerSpeed; } // the arrows' scale [m/(m/s)]
 
-    QRectF fitRect() const;   // what to show at first [units]
-    QRectF wholeRect() const; // beyond it there is nothing to see [units]
+    QRectF fitRect() const { return m_fit; }     // what to show at first [units]
+    QRectF wholeRect() const { return m_whole; } // beyond it there is nothing to see [units]
     const Collision* selected() const;
 
     // The body at a point, or within `slack` of its edge [units].
@@ -36,7 +36,8 @@ public:
     void setHovered(std::optional<int> body);
     QString bodyTip(int body) const; // mass, speed, direction as they are now
 
-    // The first collision of a body at or after the present time; after the one that is selected.
+    // The first collision of a body at or after the present time, after the one that is selected; in the
+    // present chapter.
     std::optional<std::size_t> nextCollisionOf(int body) const;
 
 signals:
@@ -47,6 +48,7 @@ protected:
 
 private:
     void rebuild();
+    void showChapter();
     void showTime(double time);
     void showSelection();
     void buildTurnings();
@@ -62,6 +64,9 @@ private:
     std::vector<Turning> m_turnings; // of the balls, in a scene with friction
     std::optional<int> m_hovered;
     double m_metresPerSpeed = 0;
+    std::vector<Ink> m_inks; // the bodies' while nothing is selected
+    QRectF m_fit;
+    QRectF m_whole;
 };
 
 } // namespace thetalane

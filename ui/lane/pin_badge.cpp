@@ -17,6 +17,7 @@ PinBadge::PinBadge(const Context& context, QWidget* parent)
     setObjectName("pinBadge");
     setAttribute(Qt::WA_TransparentForMouseEvents); // what is under it can still be dragged
     connect(&context.session, &Session::runChanged, this, &PinBadge::adoptRun);
+    connect(&context.session, &Session::chapterChanged, this, &PinBadge::adoptChapter);
     connect(&context.playhead, &Playhead::timeChanged, this, &PinBadge::showTime);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         emit resized();
@@ -27,7 +28,24 @@ PinBadge::PinBadge(const Context& context, QWidget* parent)
 }
 
 void PinBadge::adoptRun() {
+    const RunPart part = m_context.session.part();
+    const auto run = m_context.session.run();
+    const auto count = [&](const std::vector<int>& pins) { return std::int64_t(pins.size()); };
+    m_settled = false;
+    if (!part.isWhole() && part.collisionsBefore == 0) {
+        const auto pins = std::count_if(run->scene.bodies.begin(), run->scene.bodies.end(),
+                                        [](const Body& b) { return b.kind == BodyKind::Pin; });
+        m_settled = count(pinsTouched(run->scene, run->timeline, part.to)) == pins &&
+                    count(pinsDown(run->scene, run->timeline, part.to)) == pins;
+    }
+    adoptChapter();
+}
+
+// What happened in earlier chapters cannot be seen in a later one: there the numbers stand only if no pin was
+// left after the first.
+void PinBadge::adoptChapter() {
     m_run = m_context.session.run();
+    m_later = m_context.session.part().collisionsBefore > 0;
     const Scene& scene = m_run->scene;
     m_changes.clear();
     m_pins = 0;
@@ -43,7 +61,7 @@ void PinBadge::adoptRun() {
             m_changes.push_back(c.time);
     std::sort(m_changes.begin(), m_changes.end());
     m_change = -1;
-    setVisible(m_pins > 0);
+    setVisible(m_pins > 0 && (!m_later || m_settled));
     showTime(m_context.playhead.time());
     emit resized(); // room for as many digits as there are pins
 }
@@ -55,8 +73,8 @@ void PinBadge::showTime(double time) {
     if (passed == m_change)
         return;
     m_change = passed;
-    m_touched = int(pinsTouched(m_run->scene, m_run->timeline, time).size());
-    m_down = int(pinsDown(m_run->scene, m_run->timeline, time).size());
+    m_touched = m_later ? m_pins : int(pinsTouched(m_run->scene, m_run->timeline, time).size());
+    m_down = m_later ? m_pins : int(pinsDown(m_run->scene, m_run->timeline, time).size());
     retranslate();
 }
 

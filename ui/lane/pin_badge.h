@@ -28,6 +28,7 @@ protected:
 
 private:
     void adoptRun();
+    void adoptChapter();
     void showTime(double time);
     void retranslate();
 
@@ -36,6 +37,8 @@ private:
     std::vector<double> m_changes; // the only times at which a count can change [s]
     std::ptrdiff_t m_change = -1;  // how many of them have passed
     int m_pins = 0;
+    bool m_settled = false; // after the first of several chapters no pin was left
+    bool m_later = false;   // the present chapter is not the first
     int m_touched = 0;
     int m_down = 0;
     QString m_touchedText;

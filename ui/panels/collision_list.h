@@ -1,4 +1,5 @@
-// All collisions of the run, to look through, to choose from, and to copy with every digit.
+// The collisions of the run, to look through, to choose from, and to copy with every digit; of a long run, a
+// chapter at a time.
 #pragma once
 
 #include "ui/panels/panel.h"
@@ -9,6 +10,7 @@ class QTableView;
 namespace thetalane {
 
 class CollisionModel;
+class IconButton;
 
 class CollisionList : public Panel {
     Q_OBJECT
@@ -22,9 +24,14 @@ public:
 protected:
     void restyle() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
+    QWidget* makePage();
     void showRun();
+    void showChapter();
+    void showPart();
+    bool stepBeyond(int key); // from the last row on, from the first one back
     void fitColumns();
     QString widestText(int column) const;
     void followPlayhead();
@@ -32,9 +39,15 @@ private:
 
     CollisionModel* m_model;
     QTableView* m_table;
+    QWidget* m_foot; // which of the run's collisions these are, where they are not all
+    QLabel* m_which;
+    IconButton* m_earlier;
+    IconButton* m_later;
+    QWidget* m_page;
     QLabel* m_empty;
     QStackedLayout* m_stack;
     bool m_following = false;
+    bool m_stale = false; // emptied while nobody looked
 };
 
 } // namespace thetalane

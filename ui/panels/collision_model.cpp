@@ -1,5 +1,6 @@
 #include "ui/panels/collision_model.h"
 
+#include "ui/count_text.h"
 #include "ui/words/number_text.h"
 #include "ui/words/worked_steps.h"
 
@@ -8,8 +9,9 @@ namespace thetalane {
 CollisionModel::CollisionModel(QObject* parent)
     : QAbstractTableModel(parent) {}
 
-void CollisionModel::setRun(std::shared_ptr<const Run> run) {
+void CollisionModel::setRun(std::shared_ptr<const Run> run, std::int64_t before) {
     beginResetModel();
+    m_before = before;
     m_run = std::move(run);
     endResetModel();
 }
@@ -46,7 +48,7 @@ CollisionModel::Instant CollisionModel::standing(int row, std::size_t begin, std
 QString CollisionModel::shown(const Collision& c, int row, int column) const {
     switch (column) {
     case Number:
-        return QString::number(row + 1);
+        return countText(numberOf(row));
     case Time:
         return QString::number(c.time, 'f', 4);
     case Bodies:
@@ -137,13 +139,13 @@ QString CollisionModel::exactHeader() const {
 
 QString CollisionModel::exactRow(int row) const {
     const Collision& c = at(row);
-    return QStringList{QString::number(row + 1),
+    return QStringList{QString::number(numberOf(row)),
                        exactText(c.time),
                        bodyName(m_run->scene, c.first),
                        partnerName(m_run->scene, c),
                        exactText(c.steps.impulse),
                        exactText(c.steps.energyLoss),
-                       c.group ? QString::number(c.group) : QString(),
+                       c.group ? QString::number(numberOf(int(instantOf(row).begin))) : QString(),
                        c.group ? QString::number(c.pass) : QString()}
         .join(u'\t');
 }

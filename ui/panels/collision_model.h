@@ -1,4 +1,4 @@
-// The collisions of a run as a table: nothing is copied, and nothing is computed but the text of the rows
+// The collisions of a chapter as a table: nothing is copied, and nothing is computed but the text of the rows
 // seen.
 #pragma once
 
@@ -23,7 +23,9 @@ public:
 
     explicit CollisionModel(QObject* parent = nullptr);
 
-    void setRun(std::shared_ptr<const Run> run);
+    // before: how many collisions the whole run had before the first of these.
+    void setRun(std::shared_ptr<const Run> run, std::int64_t before);
+    std::int64_t numberOf(int row) const { return m_before + row + 1; }
     void retranslate();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -32,7 +34,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     // One line, every digit, columns parted by tabs: number, time, first, second, impulse, energy loss,
-    // group, pass.
+    // the number of the first collision of the same instant, pass.
     QString exactRow(int row) const;
     QString exactHeader() const;
 
@@ -44,6 +46,7 @@ private:
     thetalane::Instant instantOf(int row) const;
 
     std::shared_ptr<const Run> m_run;
+    std::int64_t m_before = 0;
 };
 
 } // namespace thetalane

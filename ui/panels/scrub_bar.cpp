@@ -1,5 +1,6 @@
 #include "ui/panels/scrub_bar.h"
 
+#include "ui/count_text.h"
 #include "ui/words/instant.h"
 #include "ui/words/number_text.h"
 
@@ -25,6 +26,8 @@ ScrubBar::ScrubBar(const Context& context, QWidget* parent)
     connect(&context.playhead, &Playhead::timeChanged, this, qOverload<>(&QWidget::update));
     connect(&context.playhead, &Playhead::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&context.session, &Session::runChanged, this, &ScrubBar::forgetTicks);
+    connect(&context.session, &Session::chapterChanged, this, &ScrubBar::forgetTicks);
+    connect(&context.session, &Session::progressed, this, &ScrubBar::showProgress);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         updateGeometry();
         forgetTicks();
@@ -41,6 +44,12 @@ void ScrubBar::retranslate() {
 
 void ScrubBar::forgetTicks() {
     m_ticks = {};
+    update();
+}
+
+void ScrubBar::showProgress() {
+    if (m_context.playhead.end() != m_ticksUntil)
+        m_ticks = {};
     update();
 }
 
@@ -83,15 +92,19 @@ std::optional<std::size_t> ScrubBar::collisionNear(double x) const {
 
 QString ScrubBar::hintAt(double x) const {
     const auto k = collisionNear(x);
-    if (!k)
-        return {};
+    if (!k) {
+        const RunPart part = m_context.session.part();
+        return part.ended || timeAt(x) < part.computedTo
+                   ? QString()
+                   : tr("Not computed yet; so far %1 s").arg(numberText(std::floor(part.computedTo), 6));
+    }
     const Scene& scene = m_context.session.scene();
     const auto collisions = m_context.session.timeline().collisions();
     const Collision& c = collisions[*k];
     // An id, a partner's name and a time: nothing here is a word to translate.
     QString text = QStringLiteral("%1: %2 → %3, %4 s")
-                       .arg(QString::number(*k + 1), bodyName(scene, c.first), partnerName(scene, c),
-                            numberText(c.time));
+                       .arg(countText(m_context.session.part().collisionsBefore + std::int64_t(*k) + 1),
+                            bodyName(scene, c.first), partnerName(scene, c), numberText(c.time));
     const Instant instant = instantOf(collisions, *k);
     const int more = int(instant.begin + instant.size - *k) - 1;
     if (more)
@@ -129,6 +142,8 @@ void ScrubBar::paintTicks(QPainter& painter) const {
     }
     QColor quiet = look.quietText();
     quiet.setAlpha(look.projector() ? 220 : 150);
+    if (!m_context.session.part().isWhole())
+        quiet.setAlpha(quiet.alpha() / 2); // it only shows what part is at hand
     painter.setPen(Qt::NoPen);
     painter.setBrush(quiet);
     const double thick = look.projector() ? 2 : 1.5;
@@ -148,6 +163,7 @@ const QPixmap& ScrubBar::ticks() {
         m_ticks = QPixmap(size);
         m_ticks.setDevicePixelRatio(devicePixelRatioF());
         m_ticks.fill(Qt::transparent);
+        m_ticksUntil = m_context.playhead.end();
         QPainter painter(&m_ticks);
         painter.setRenderHint(QPainter::Antialiasing);
         paintTicks(painter);
@@ -168,14 +184,25 @@ void ScrubBar::paintSelected(QPainter& painter) const {
     painter.drawRoundedRect(QRectF(xAt(c.time) - thick / 2, middle() - up, thick, 2 * up), 1, 1);
 }
 
+// As far as the run is computed; the rest thin.
+void ScrubBar::paintLine(QPainter& painter, double thick) const {
+    const RunPart part = m_context.session.part();
+    const double end = width() - margin();
+    const double computed = part.ended ? end : std::min(end, xAt(part.computedTo));
+    const QColor line = m_context.appearance.line();
+    painter.setPen(QPen(line, 1));
+    painter.drawLine(QPointF(computed, middle()), QPointF(end, middle()));
+    painter.setPen(QPen(line, thick, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(margin(), middle()), QPointF(computed, middle()));
+}
+
 void ScrubBar::paintEvent(QPaintEvent*) {
     const Appearance& look = m_context.appearance;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double now = xAt(m_context.playhead.time());
     const double thick = look.projector() ? 4 : 3;
-    painter.setPen(QPen(look.line(), thick, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(QPointF(margin(), middle()), QPointF(width() - margin(), middle()));
+    paintLine(painter, thick);
     painter.setPen(QPen(look.accent(), thick, Qt::SolidLine, Qt::RoundCap));
     if (now > margin())
         painter.drawLine(QPointF(margin(), middle()), QPointF(now, middle()));

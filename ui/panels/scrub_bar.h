@@ -1,4 +1,5 @@
-// The run as a line: a tick at every collision, and a handle at the present time that can be taken anywhere.
+// The run as a line: a tick at every collision of the present chapter, and a handle at the present time that
+// can be taken anywhere.
 #pragma once
 
 #include "ui/context.h"
@@ -17,10 +18,10 @@ public:
 
     static constexpr int reach = 5; // how near a tick counts as on it [px]
 
-    double xAt(double time) const;  // [s] -> [px]
-    double timeAt(double x) const;  // [px] -> [s]
-    QString hintAt(double x) const; // "3: ball → 5, 0.0812 s"; empty away from the ticks
-    std::optional<std::size_t> collisionNear(double x) const; // index into Timeline::collisions()
+    double xAt(double time) const; // [s] -> [px]
+    double timeAt(double x) const; // [px] -> [s]
+    QString hintAt(double x) const; // "3: ball → 5, 0.0812 s"; of what is computed, empty away from the ticks
+    std::optional<std::size_t> collisionNear(double x) const; // index in the chapter
 
     void retranslate();
 
@@ -43,10 +44,13 @@ private:
     const QPixmap& ticks();
     void paintTicks(QPainter& painter) const;
     void paintSelected(QPainter& painter) const;
+    void paintLine(QPainter& painter, double thick) const;
     void forgetTicks();
+    void showProgress();
 
     Context m_context;
-    QPixmap m_ticks; // drawn once for a run and a size: there may be very many
+    QPixmap m_ticks; // drawn once for a chapter and a size: there may be very many
+    double m_ticksUntil = 0;
     double m_pressedAt = 0;
     bool m_pressed = false;
     bool m_dragging = false;

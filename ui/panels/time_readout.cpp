@@ -21,6 +21,7 @@ TimeReadout::TimeReadout(const Context& context, QWidget* parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(&playhead(), &Playhead::timeChanged, this, qOverload<>(&QWidget::update));
     connect(&session(), &Session::runChanged, this, [this] { updateGeometry(); });
+    connect(&session(), &Session::progressed, this, [this] { updateGeometry(); });
     restyle();
     retranslate();
 }

@@ -4,6 +4,7 @@
 #include "ui/panels/rate_chooser.h"
 #include "ui/panels/scrub_bar.h"
 #include "ui/panels/time_readout.h"
+#include "ui/panels/until_chooser.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -20,12 +21,16 @@ TimelineBar::TimelineBar(const Context& context, QWidget* parent)
     m_rate = new RateChooser(context, this);
     m_scrub = new ScrubBar(context, this);
     m_readout = new TimeReadout(context, this);
+    m_until = new UntilChooser(context, this);
     // The arrangement follows the width, so the grid must not hold on to the width of the wide one.
     m_grid->setSizeConstraint(QLayout::SetNoConstraint);
     connect(&playhead(), &Playhead::playingChanged, this, &TimelineBar::showPlaying);
     connect(&playhead(), &Playhead::timeChanged, this, &TimelineBar::showReachable);
     connect(&playhead(), &Playhead::selectionChanged, this, &TimelineBar::showReachable);
     connect(&session(), &Session::runChanged, this, &TimelineBar::showReachable);
+    connect(&session(), &Session::chapterChanged, this, &TimelineBar::showReachable);
+    connect(&session(), &Session::progressed, this, &TimelineBar::showReachable);
+    connect(m_until, &UntilChooser::resized, this, &TimelineBar::arrange);
     restyle();
     retranslate();
     showReachable();
@@ -83,43 +88,46 @@ void TimelineBar::showPlaying() {
 }
 
 void TimelineBar::showReachable() {
-    const Timeline& timeline = session().timeline();
-    const auto selected = playhead().selected();
     const double time = playhead().time();
     m_start->setEnabled(time > 0);
     m_frameBack->setEnabled(time > 0);
     m_frameForward->setEnabled(time < playhead().end());
-    m_collisionBack->setEnabled(selected ? *selected > 0 : timeline.collisionBefore(time).has_value());
-    m_collisionForward->setEnabled(selected ? *selected + 1 < timeline.collisions().size()
-                                            : timeline.collisionAfter(time).has_value());
+    m_collisionBack->setEnabled(playhead().canStepCollisions(-1));
+    m_collisionForward->setEnabled(playhead().canStepCollisions(1));
 }
 
 // In one row where there is room for a line worth dragging on, else in two: the line above, the buttons
 // below.
 void TimelineBar::arrange() {
     const int unit = appearance().unit();
-    const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() +
-                       m_readout->sizeHint().width() + 5 * unit;
+    const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() + timesWidth() + 5 * unit;
     m_wide = width() >= others + 40 * unit;
     for (QWidget* part : {m_controls, static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_scrub),
-                          static_cast<QWidget*>(m_readout)})
+                          static_cast<QWidget*>(m_readout), static_cast<QWidget*>(m_until)})
         m_grid->removeWidget(part);
-    for (int column = 0; column < 4; ++column)
+    for (int column = 0; column < 5; ++column)
         m_grid->setColumnStretch(column, 0);
     if (m_wide) {
         m_grid->addWidget(m_controls, 0, 0);
         m_grid->addWidget(m_rate, 0, 1);
         m_grid->addWidget(m_scrub, 0, 2);
         m_grid->addWidget(m_readout, 0, 3);
+        m_grid->addWidget(m_until, 0, 4);
         m_grid->setColumnStretch(2, 1);
     } else {
-        m_grid->addWidget(m_scrub, 0, 0, 1, 3);
+        m_grid->addWidget(m_scrub, 0, 0, 1, 4);
         m_grid->addWidget(m_controls, 1, 0);
         m_grid->addWidget(m_rate, 1, 1, Qt::AlignCenter);
         m_grid->addWidget(m_readout, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+        m_grid->addWidget(m_until, 1, 3, Qt::AlignRight | Qt::AlignVCenter);
         m_grid->setColumnStretch(1, 1);
     }
     updateGeometry();
+}
+
+int TimelineBar::timesWidth() const {
+    return m_readout->sizeHint().width() +
+           (m_until->isHidden() ? 0 : m_until->sizeHint().width() + appearance().unit());
 }
 
 QSize TimelineBar::sizeHint() const {
@@ -129,8 +137,7 @@ QSize TimelineBar::sizeHint() const {
 QSize TimelineBar::minimumSizeHint() const {
     const int unit = appearance().unit();
     const int row = m_controls->sizeHint().height();
-    const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() +
-                       m_readout->sizeHint().width() + 4 * unit;
+    const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() + timesWidth() + 4 * unit;
     return {others, unit + row + (m_wide ? 0 : m_scrub->sizeHint().height())};
 }
 

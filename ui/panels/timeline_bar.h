@@ -11,6 +11,7 @@ class IconButton;
 class RateChooser;
 class ScrubBar;
 class TimeReadout;
+class UntilChooser;
 
 class TimelineBar : public Panel {
     Q_OBJECT
@@ -30,6 +31,7 @@ private:
     void arrange();
     void showPlaying();
     void showReachable();
+    int timesWidth() const; // of the present time and the end
 
     QWidget* m_controls;
     IconButton* m_start = nullptr;
@@ -41,6 +43,7 @@ private:
     RateChooser* m_rate = nullptr;
     ScrubBar* m_scrub = nullptr;
     TimeReadout* m_readout = nullptr;
+    UntilChooser* m_until = nullptr;
     QGridLayout* m_grid;
     bool m_wide = false;
 };

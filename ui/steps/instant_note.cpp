@@ -1,5 +1,7 @@
 #include "ui/steps/instant_note.h"
 
+#include "ui/count_text.h"
+
 #include <QEvent>
 #include <QFontMetrics>
 #include <QPainter>
@@ -135,8 +137,9 @@ void InstantNote::say() {
         if (k >= collisions.size())
             continue; // another run is about to come
         link->setText(contactName(m_context.session.scene(), collisions[k]));
-        link->setToolTip(tr("Open collision %1, resolved together with this one").arg(k + 1));
-        link->setAccessibleName(tr("Open collision %1: %2").arg(QString::number(k + 1), link->text()));
+        const QString number = countText(m_context.session.part().collisionsBefore + std::int64_t(k) + 1);
+        link->setToolTip(tr("Open collision %1, resolved together with this one").arg(number));
+        link->setAccessibleName(tr("Open collision %1: %2").arg(number, link->text()));
     }
     updateGeometry();
     arrange(width(), true);

@@ -1,5 +1,6 @@
 #include "ui/steps/step_panel.h"
 
+#include "ui/count_text.h"
 #include "ui/words/number_text.h"
 
 #include <QHBoxLayout>
@@ -59,6 +60,8 @@ StepPanel::StepPanel(const Context& context, QWidget* parent)
     connect(&m_playhead, &Playhead::selectionChanged, this, &StepPanel::showSelection);
     connect(&m_playhead, &Playhead::stageChanged, this, &StepPanel::showStage);
     connect(&m_session, &Session::runChanged, this, &StepPanel::showSelection);
+    connect(&m_session, &Session::chapterChanged, this, &StepPanel::showSelection);
+    connect(&m_session, &Session::progressed, this, &StepPanel::showPlace);
     connect(&m_appearance, &Appearance::changed, this, &StepPanel::applyAppearance);
     applyAppearance();
     retranslate();
@@ -68,6 +71,7 @@ QWidget* StepPanel::makeHead() {
     auto* head = new QWidget;
     m_title = new QLabel;
     m_title->setObjectName("collisionTitle");
+    m_title->setWordWrap(true); // of millions
     m_partners = new QLabel;
     m_partners->setObjectName("collisionPartners");
     m_partners->setTextFormat(Qt::RichText);
@@ -132,7 +136,7 @@ QWidget* StepPanel::makeInvitation() {
     m_go->setObjectName("goToFirstCollision");
     m_go->setCursor(Qt::PointingHandCursor);
     connect(m_go, &QPushButton::clicked, this, [this] {
-        m_playhead.select(0);
+        m_playhead.selectNumber(1);
         setFocus();
     });
     auto* column = new QVBoxLayout(page);
@@ -204,9 +208,6 @@ void StepPanel::changeEvent(QEvent* event) {
 }
 
 void StepPanel::showHead(const Collision& c) {
-    const auto collisions = m_session.timeline().collisions();
-    const std::size_t index = *m_playhead.selected();
-    m_title->setText(tr("Collision %1 of %2").arg(index + 1).arg(collisions.size()));
     const Scene& scene = m_session.scene();
     const auto name = [&](int body, Ink ink) {
         const bool ball = scene.bodies[std::size_t(body)].kind == BodyKind::Ball;
@@ -220,9 +221,21 @@ void StepPanel::showHead(const Collision& c) {
     QStringList facts{QStringLiteral("%1 → %2").arg(name(c.first, Ink::First), second),
                       QStringLiteral("<i>t</i>&nbsp;=&nbsp;%1&nbsp;s").arg(numberText(c.time))};
     m_partners->setText(facts.join(QStringLiteral(" · ")));
-    m_instant->showCollision(index);
-    m_previous->setEnabled(index > 0);
-    m_next->setEnabled(index + 1 < collisions.size());
+    m_instant->showCollision(*m_playhead.selected());
+    showPlace();
+}
+
+// How many there are is said when it is known.
+void StepPanel::showPlace() {
+    const auto number = m_playhead.selectedNumber();
+    if (!number)
+        return;
+    const RunPart part = m_session.part();
+    const QString text = countText(*number);
+    m_title->setText(part.ended ? tr("Collision %1 of %2").arg(text, countText(part.collisionCount))
+                                : tr("Collision %1").arg(text));
+    m_previous->setEnabled(m_playhead.canStepCollisions(-1));
+    m_next->setEnabled(m_playhead.canStepCollisions(1));
 }
 
 void StepPanel::invite(bool any) {
@@ -237,7 +250,7 @@ void StepPanel::showSelection() {
     const auto run = m_session.run();
     const auto collisions = run->timeline.collisions();
     const auto selected = m_playhead.selected();
-    invite(!collisions.empty());
+    invite(m_session.part().collisionCount > 0);
     if (!selected || *selected >= collisions.size()) {
         m_pages->setCurrentIndex(0);
         return;

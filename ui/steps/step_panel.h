@@ -36,6 +36,7 @@ private:
     void invite(bool anyCollision);
     void showStage();
     void showHead(const Collision& collision);
+    void showPlace();
     void arrangeCards();
     void applyAppearance();
 
