@@ -1,6 +1,7 @@
 // thetalane run SCENE
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/engine_choice.h"
 #include "app/engine_options.h"
 #include "app/options.h"
 #include "app/run_report.h"
@@ -19,6 +20,7 @@ struct RunCommandText {
 void declare(Arguments& a) {
     takeScene(a);
     takeEngineOptions(a);
+    takeTolerance(a);
     a.takesFlag("json", RunCommandText::tr("prints JSON for programs"));
     a.takesFlag("csv", RunCommandText::tr("prints a row for each collision"));
     a.takesFlag("summary", RunCommandText::tr("leaves the list of collisions out, and out of memory"));
@@ -42,12 +44,14 @@ int runCommand(const Call& call) {
     EngineSettings settings = engineSettings(a);
     settings.keepDetail = !a.has("summary");
     checkOutput(a);
+    checkTolerance(a);
     if (const auto status = a.faults())
         return *status;
 
     auto scene = loadScene(a.positional());
     if (const auto* fault = std::get_if<QString>(&scene))
         return wrongCall(*fault);
+    settings = chosenSettings(a, settings, std::get<Scene>(scene));
     const auto outcome = simulateOrTell(std::get<Scene>(std::move(scene)), settings);
     if (const auto* fault = std::get_if<QString>(&outcome))
         return wrongCall(*fault);

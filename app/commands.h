@@ -1,6 +1,7 @@
 // The commands of the program, one file each.
 #pragma once
 
+#include "app/studies.h"
 #include "app/window.h"
 #include "ui/words/language.h"
 
@@ -21,7 +22,7 @@ struct Call {
 struct Command {
     const char* name;
     const char* summary;     // in English; commandSummary() translates
-    int (*run)(const Call&); // null: picture, which is read here and drawn by its own application
+    int (*run)(const Call&); // null: picture and study, which are drawn by an application of their own
 };
 
 // In the order of --help.
@@ -32,11 +33,11 @@ QString commandSummary(const QString& name);
 int runCommand(const Call& call);
 int explainCommand(const Call& call);
 int throwCommand(const Call& call);
-int studyCommand(const Call& call);
 int scenesCommand(const Call& call);
 int sceneCommand(const Call& call);
 
 // The status to leave with, or what to draw.
 std::variant<int, PictureRequest> readPictureCall(const Call& call);
+std::variant<int, StudyPicture> readStudyCall(const Call& call);
 
 } // namespace thetalane

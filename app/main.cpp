@@ -82,7 +82,7 @@ std::variant<int, WindowRequest> readWindowCall(const Call& call) {
 }
 
 // The status to leave with, or what a window is to open or to be drawn with.
-using Outcome = std::variant<int, WindowRequest, PictureRequest>;
+using Outcome = std::variant<int, WindowRequest, PictureRequest, StudyPicture>;
 
 Outcome toOutcome(auto&& read) {
     return std::visit([](auto&& value) -> Outcome { return std::forward<decltype(value)>(value); },
@@ -110,6 +110,8 @@ Outcome dispatch(int& argc, char** argv) {
     const QString name = call.arguments.takeFirst();
     if (name == "picture")
         return toOutcome(readPictureCall(call));
+    if (name == "study")
+        return toOutcome(readStudyCall(call));
     for (const Command& command : commands())
         if (name == command.name)
             return command.run(call);
@@ -122,6 +124,8 @@ int start(int argc, char** argv) {
         return runWindow(argc, argv, *window);
     if (const auto* picture = std::get_if<PictureRequest>(&outcome))
         return drawPicture(argc, argv, *picture);
+    if (const auto* picture = std::get_if<StudyPicture>(&outcome))
+        return drawStudyPicture(argc, argv, *picture);
     return std::get<int>(outcome);
 }
 

@@ -1,5 +1,6 @@
 // In place of window.cpp where the program is built without a window.
 #include "app/console.h"
+#include "app/studies.h"
 #include "app/window.h"
 
 #include <QCoreApplication>
@@ -12,6 +13,11 @@ int runWindow(int&, char**, const WindowRequest&) {
 }
 
 int drawPicture(int&, char**, const PictureRequest&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "picture: this program was built without the window, and cannot draw it"));
+}
+
+int drawStudyPicture(int&, char**, const StudyPicture&) {
     return failure(QCoreApplication::translate(
         "NoWindow", "picture: this program was built without the window, and cannot draw it"));
 }
