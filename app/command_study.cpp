@@ -8,6 +8,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace thetalane {
 namespace {
 
@@ -42,8 +44,19 @@ void declare(Arguments& a) {
     a.takesValue("picture", "FILE.png", StudyCommandText::tr("draws error against cost"));
     a.takesFlag("quick", StudyCommandText::tr("of extremes: ends the longest runs at 100000 collisions, not "
                                               "10000000"));
+}
+
+void takeTable(Arguments& a) {
     a.takesValue("table", "FILE.csv",
                  StudyCommandText::tr("prints the Markdown table of such a file, and studies nothing"));
+}
+
+// The one call without a study.
+int tableOfAFile(const Call& call) {
+    Arguments a("study --table FILE.csv", commandSummary("study"));
+    takeTable(a);
+    const auto status = a.read(call.arguments);
+    return status ? *status : studyTable(a.value("table"));
 }
 
 // An option that this study would leave unread is a mistake worth telling.
@@ -122,15 +135,14 @@ Outcome studyOfScene(Arguments& a, MethodsCall call) {
 } // namespace
 
 Outcome readStudyCall(const Call& call) {
+    if (std::any_of(call.arguments.begin(), call.arguments.end(),
+                    [](const QString& a) { return a.section('=', 0, 0) == "--table"; }))
+        return tableOfAFile(call);
     Arguments a("study throws|SCENE|extremes …", commandSummary("study"));
     declare(a);
-    const qsizetype table = call.arguments.indexOf("--table");
-    if (table == 0 && call.arguments.size() == 2) // the one call without a study
-        return studyTable(call.arguments[1]);
+    takeTable(a);
     if (const auto status = a.read(call.arguments))
         return *status;
-    if (a.has("table"))
-        return wrongCall("--table: " + StudyCommandText::tr("takes a file and nothing else"));
     MethodsCall methods;
     methods.call = repeatable(a);
     methods.language = call.language;

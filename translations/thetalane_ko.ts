@@ -28,8 +28,8 @@
         <translation>창의 모습을 PNG 파일로 그립니다</translation>
     </message>
     <message>
-        <source>measures what an engine makes of extremes, against what is exact</source>
-        <translation>극단적인 경우에 엔진이 내는 값을 정확한 값과 견줍니다</translation>
+        <source>measures speed against accuracy, method by method, and what is made of extremes</source>
+        <translation>방법마다 속도와 정확도를 재어 견주고, 극단적인 조건에서 얻는 값을 잽니다</translation>
     </message>
 </context>
 <context>
@@ -37,6 +37,49 @@
     <message>
         <source>standard output: cannot be written: %1</source>
         <translation>표준 출력: 쓸 수 없습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>EngineChoiceText</name>
+    <message>
+        <source>%1 is the cheapest that stays within %2</source>
+        <translation>오차 %2 안에 드는 방법 가운데 가장 빠른 것: %1</translation>
+    </message>
+    <message>
+        <source>nothing stays within %2; %1 comes nearest</source>
+        <translation>오차 %2 안에 드는 방법이 없습니다. 가장 가까운 것: %1</translation>
+    </message>
+    <message>
+        <source>%1: about %2, too dear to be tried</source>
+        <translation>%1: 약 %2, 너무 오래 걸려 재지 않음</translation>
+    </message>
+    <message>
+        <source>%1: %2, off by at most %3</source>
+        <translation>%1: %2, 가장 큰 오차 %3</translation>
+    </message>
+    <message>
+        <source>measured until %1 s against %2, in %3 s</source>
+        <translation>%1 s까지 %2 계산을 기준으로 쟀습니다. 걸린 시간 %3 s</translation>
+    </message>
+    <message>
+        <source>not until %1 s, which would have taken too long: what comes later was not measured, so %2 was asked for</source>
+        <translation>%1 s까지는 너무 오래 걸려 재지 않았습니다. 그 뒤의 오차를 알 수 없으므로 %2 안에 드는 것만 골랐습니다</translation>
+    </message>
+    <message>
+        <source>too many bodies for 113 bits: what is measured is the distance from the next-event engine in double</source>
+        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 잰 값은 배정밀도 정확한 계산과의 차이입니다</translation>
+    </message>
+    <message>
+        <source>with --engine auto: the cheapest engine, step and precision that keeps every body within so many metres of where it should be, found by measuring them on this scene</source>
+        <translation>--engine auto와 함께: 모든 물체의 위치 오차가 이 값[m] 안에 드는 가장 빠른 엔진과 시간 간격, 정밀도를 이 장면에서 재어 고름</translation>
+    </message>
+    <message>
+        <source>only with --engine auto; choose it, or leave this out</source>
+        <translation>--engine auto에서만 쓸 수 있습니다. 그 엔진을 고르거나 이 옵션을 빼십시오</translation>
+    </message>
+    <message>
+        <source>is chosen by --tolerance; leave one of the two out</source>
+        <translation>--tolerance가 고르는 값입니다. 둘 중 하나를 빼십시오</translation>
     </message>
 </context>
 <context>
@@ -179,6 +222,65 @@
     <message>
         <source>must be ko or en, is &quot;%1&quot;</source>
         <translation>ko 또는 en이어야 하는데 &quot;%1&quot;입니다</translation>
+    </message>
+</context>
+<context>
+    <name>MethodText</name>
+    <message>
+        <source>without %1</source>
+        <translation>%1 없이</translation>
+    </message>
+    <message>
+        <source>float (24 bits)</source>
+        <translation>단정밀도 (24비트)</translation>
+    </message>
+    <message>
+        <source>double (53 bits)</source>
+        <translation>배정밀도 (53비트)</translation>
+    </message>
+    <message>
+        <source>quad (113 bits)</source>
+        <translation>4배 정밀도 (113비트)</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>마찰</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>oil</source>
+        <translation>오일</translation>
+    </message>
+    <message>
+        <source>loss at the walls (e = 1)</source>
+        <translation>벽의 에너지 손실 (e = 1)</translation>
+    </message>
+    <message>
+        <source>the rule of ties</source>
+        <translation>동시 충돌 규칙</translation>
+    </message>
+    <message>
+        <source>next event</source>
+        <translation>정확한 계산 (다음 충돌)</translation>
+    </message>
+    <message>
+        <source>swept, one pass</source>
+        <translation>연속 충돌 검사, 탐색 1회</translation>
+    </message>
+    <message>
+        <source>swept, %1 passes</source>
+        <translation>연속 충돌 검사, 탐색 %1회</translation>
+    </message>
+    <message>
+        <source>paper&apos;s loop, approaching only</source>
+        <translation>논문의 반복 계산, 다가갈 때만</translation>
+    </message>
+    <message>
+        <source>paper&apos;s loop</source>
+        <translation>논문의 반복 계산</translation>
     </message>
 </context>
 <context>
@@ -774,10 +876,6 @@
         <translation>아니오</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다: %2</translation>
-    </message>
-    <message>
         <source>Within their bounds: %1 of %2</source>
         <translation>한계 안에 든 것: %2개 가운데 %1개</translation>
     </message>
@@ -786,24 +884,256 @@
         <translation>한계를 벗어난 것: %1</translation>
     </message>
     <message>
-        <source>extremes: masses, radii, speeds, places and counts at the edge of what numbers hold, each with its bound</source>
-        <translation>extremes: 수로 나타낼 수 있는 끝자락의 질량, 반지름, 속력, 위치, 횟수를 각각의 한계와 함께 봅니다</translation>
-    </message>
-    <message>
-        <source>ends the longest runs at 100000 collisions, not 10000000</source>
-        <translation>가장 긴 계산을 충돌 10000000번이 아니라 100000번에서 끝냅니다</translation>
-    </message>
-    <message>
         <source>writes the table to a file as well</source>
         <translation>표를 파일에도 씁니다</translation>
     </message>
     <message>
-        <source>%1: there is no such study; only extremes is there yet</source>
-        <translation>%1: 그런 연구는 없습니다. 아직 extremes만 있습니다</translation>
-    </message>
-    <message>
         <source>--csv: needs the name of a file</source>
         <translation>--csv: 파일 이름이 필요합니다</translation>
+    </message>
+    <message>
+        <source>throws: thousands of throws at the rack, by every method; a SCENE: that one; extremes: masses, radii, speeds, places and counts at the edge of what numbers hold, each with its bound</source>
+        <translation>throws: 핀 열 개를 향한 수천 번의 투구를 모든 방법으로 계산, SCENE: 그 장면만 계산, extremes: 수가 담을 수 있는 한계의 질량, 반지름, 속력, 위치, 충돌 횟수와 그 오차의 한계</translation>
+    </message>
+    <message>
+        <source>how many throws; 4000 unless said, on the whole lane 1000</source>
+        <translation>투구 횟수. 기본값 4000, 레인 전체에서는 1000</translation>
+    </message>
+    <message>
+        <source>of throws: the rack without friction, or the whole lane; rack unless said</source>
+        <translation>throws: 마찰이 없는 핀 열 개(rack) 또는 레인 전체(bowling). 기본값 rack</translation>
+    </message>
+    <message>
+        <source>of the throws; 2026 unless said</source>
+        <translation>투구를 뽑는 난수의 씨앗값. 기본값 2026</translation>
+    </message>
+    <message>
+        <source>of a SCENE: the time to run [s]; 10 unless said</source>
+        <translation>SCENE: 계산할 시간 [s]. 기본값 10</translation>
+    </message>
+    <message>
+        <source>a few, steps down to 1/1000 s, or down to 1/100000 s; standard unless said</source>
+        <translation>몇 가지만, 시간 간격 1/1000 s까지, 1/100000 s까지. 기본값 standard</translation>
+    </message>
+    <message>
+        <source>for the errors; all of the machine unless said</source>
+        <translation>오차를 잴 때 쓰는 스레드 수. 기본값은 컴퓨터의 모든 코어</translation>
+    </message>
+    <message>
+        <source>draws error against cost</source>
+        <translation>계산 시간에 따른 오차를 그림으로 그림</translation>
+    </message>
+    <message>
+        <source>of extremes: ends the longest runs at 100000 collisions, not 10000000</source>
+        <translation>extremes: 가장 긴 계산을 충돌 10000000번이 아니라 100000번에서 끝냄</translation>
+    </message>
+    <message>
+        <source>prints the Markdown table of such a file, and studies nothing</source>
+        <translation>그런 파일의 표를 Markdown으로 출력하고, 새로 재지 않음</translation>
+    </message>
+    <message>
+        <source>%1 does not take this</source>
+        <translation>%1에서는 쓸 수 없는 옵션입니다</translation>
+    </message>
+    <message>
+        <source>must be at most %1, is %2</source>
+        <translation>%1 이하여야 합니다. 입력한 값: %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number, is &quot;%1&quot;</source>
+        <translation>0 이상의 정수여야 합니다. 입력한 값: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 합니다. 입력한 값: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 throws on the whole lane, seed %2</source>
+        <translation>레인 전체에서 투구 %1번, 씨앗값 %2</translation>
+    </message>
+    <message>
+        <source>%1 throws at the rack, seed %2</source>
+        <translation>핀 열 개를 향한 투구 %1번, 씨앗값 %2</translation>
+    </message>
+</context>
+<context>
+    <name>StudyMethodsText</name>
+    <message>
+        <source>the truth …</source>
+        <translation>기준 계산 …</translation>
+    </message>
+    <message>
+        <source>costs: round %1 of %2</source>
+        <translation>계산 시간: %2번 가운데 %1번째</translation>
+    </message>
+    <message>
+        <source>errors: %1 of %2 cases</source>
+        <translation>오차: 경우 %2개 가운데 %1개</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: 쓸 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>cancelled; what was measured by then has been kept</source>
+        <translation>도중에 멈추었습니다. 그때까지 잰 것은 남겨 두었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlotText</name>
+    <message>
+        <source>cost %1 · error %2 m · same touched %3 %</source>
+        <translation>계산 시간 %1 · 오차 %2 m · 같은 핀에 닿음 %3 %</translation>
+    </message>
+    <message>
+        <source>cost of a throw [µs]</source>
+        <translation>투구 한 번의 계산 시간 [µs]</translation>
+    </message>
+    <message>
+        <source>cost of a run [µs]</source>
+        <translation>한 번의 계산 시간 [µs]</translation>
+    </message>
+    <message>
+        <source>position error at the end, median [m]</source>
+        <translation>끝난 때의 위치 오차, 중앙값 [m]</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReportText</name>
+    <message>
+        <source>about %1</source>
+        <translation>약 %1</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>계산할 수 없음: %1</translation>
+    </message>
+    <message>
+        <source>too slow, left out</source>
+        <translation>너무 느려 제외</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>재지 못함</translation>
+    </message>
+    <message>
+        <source>the truth</source>
+        <translation>기준</translation>
+    </message>
+    <message>
+        <source>Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and the ratio to the first row. Error: rms over the bodies of the distance from where they should be at the end; median and rms over the cases. First difference: the contact that is the first to differ, and its time; median of the cases that differ. Energy: off at the end, of the energy at the start.</source>
+        <translation>시간: 코어 하나에서 방법들을 번갈아 잰 프로세서 시간. 중앙값과, 잰 값의 가운데 절반이 차지하는 폭, 첫 행에 대한 비. 오차: 끝난 때에 물체들이 있어야 할 곳에서 벗어난 거리의 제곱 평균 제곱근. 모든 경우의 중앙값과 제곱 평균 제곱근. 처음 달라진 충돌: 몇 번째 충돌부터 다르고 그 시각이 언제인지. 달라진 경우의 중앙값. 에너지: 끝난 때의 차이를 처음 에너지로 나눈 값.</translation>
+    </message>
+    <message>
+        <source>Truth: %1; studied until %2 s.</source>
+        <translation>기준: %1. %2 s까지 쟀습니다.</translation>
+    </message>
+    <message>
+        <source>Until %1 s was asked for, which the truth would not have reached in the time allowed.</source>
+        <translation>%1 s까지가 요청되었으나, 기준 계산이 정해진 시간 안에 거기까지 이르지 못합니다.</translation>
+    </message>
+    <message>
+        <source>Too many bodies for 113 bits: the truth is the next-event run itself, and has its errors.</source>
+        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 기준은 배정밀도 정확한 계산 자체이며, 그 오차를 그대로 지닙니다.</translation>
+    </message>
+    <message>
+        <source>Digits that chaos leaves of the truth at the last collision, at least: %1</source>
+        <translation>마지막 충돌에서 기준 계산에 남은 유효 숫자(혼돈을 거친 뒤): 적어도 %1자리</translation>
+    </message>
+    <message>
+        <source>Digits left of %1: said within one digit of the truth at %2 of %3 collisions.</source>
+        <translation>%1의 남은 자릿수: 충돌 %3번 가운데 %2에서 실제와 한 자리 안으로 맞았습니다.</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 of %2 cases are in this table.</source>
+        <translation>도중에 멈춤: 이 표에는 경우 %2개 가운데 %1개가 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>a throw</source>
+        <translation>투구 한 번</translation>
+    </message>
+    <message>
+        <source>a run</source>
+        <translation>계산 한 번</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>퍼짐</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>비</translation>
+    </message>
+    <message>
+        <source>error [m]</source>
+        <translation>오차 [m]</translation>
+    </message>
+    <message>
+        <source>rms [m]</source>
+        <translation>제곱 평균 제곱근 [m]</translation>
+    </message>
+    <message>
+        <source>same touched</source>
+        <translation>같은 핀에 닿음</translation>
+    </message>
+    <message>
+        <source>first difference</source>
+        <translation>처음 달라진 충돌</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>에너지</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>놓친 충돌</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <translation>되풀이한 충돌</translation>
+    </message>
+    <message>
+        <source>collisions</source>
+        <translation>충돌</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>뺀 것</translation>
+    </message>
+    <message>
+        <source>its share of the cost</source>
+        <translation>시간에서 차지하는 몫</translation>
+    </message>
+    <message>
+        <source>other pins down</source>
+        <translation>쓰러진 핀이 다름</translation>
+    </message>
+    <message>
+        <source>other pins touched</source>
+        <translation>닿은 핀이 다름</translation>
+    </message>
+    <message>
+        <source>off by [m]</source>
+        <translation>위치 차이 [m]</translation>
+    </message>
+    <message>
+        <source>nothing: all models</source>
+        <translation>없음: 모두 계산</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTableText</name>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: 읽을 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>%1: is not a table that thetalane study --csv wrote</source>
+        <translation>%1: thetalane study --csv가 쓴 표가 아닙니다</translation>
     </message>
 </context>
 <context>

@@ -120,7 +120,28 @@ private slots:
         row("scene two-bals", "did you mean \"two-balls\"? thetalane scenes lists");
         row("scene /dev/null", "there is no such built-in scene");
         row("study", "STUDY is missing");
-        row("study strikes", "strikes: there is no such study; only extremes is there yet");
+        row("study strikes", "strikes: there is no such scene or file");
+        row("study throws --throws 0", "--throws: must be a whole number greater than 0, is \"0\"");
+        row("study throws --throws 9999999", "--throws: must be at most 1000000, is 9999999");
+        row("study throws --seed -1", "--seed: must be a whole number, is \"-1\"");
+        row("study throws --threads 0", "--threads: must be a whole number greater than 0");
+        row("study throws --methods some", "--methods: must be one of quick, standard, all, is \"some\"");
+        row("study throws --scene alley", "--scene: must be one of rack, bowling, is \"alley\"");
+        row("study throws --until 3", "--until: study throws does not take this");
+        row("study throws --quick", "--quick: study throws does not take this");
+        row("study rack --throws 3", "--throws: study rack does not take this");
+        row("study rack --until 0", "--until: must be greater than 0, is 0");
+        row("study extremes --picture x.png", "--picture: study extremes does not take this");
+        row("study rack --picture x.jpg", "--picture: must end in .png, is \"x.jpg\"");
+        row("study --table", "--table: needs a value");
+        row("study rack --table x.csv", "rack: one argument too many");
+        row("study --table /nowhere/at/all.csv", "/nowhere/at/all.csv: cannot be read: ");
+        row("study --table /dev/null", "/dev/null: is not a table that thetalane study --csv wrote");
+        for (const char* bad : {"0", "-1", "nan", "1e999"})
+            row(QString("run rack --engine auto --tolerance ") + bad, "--tolerance: must be ");
+        row("run rack --tolerance 0.001", "--tolerance: only with --engine auto");
+        row("run rack --engine auto --tolerance 1 --precision float",
+            "--precision: is chosen by --tolerance");
         row("study extremes --csv EMPTY", "--csv: needs");
         row("run", "SCENE is missing; the call is: thetalane run SCENE");
         row("run two-balls head-on", "head-on: one argument too many");

@@ -158,6 +158,8 @@ private slots:
         view.resize(600, 400);
         view.setPlot(decades());
         view.setStyle(styleOf());
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
         QSignalSpy pointed(&view, &PlotView::pointed), picked(&view, &PlotView::picked);
         const PlotLayout layout(view.rect(), decades(), styleOf());
         const QPoint at = layout.at(decades().series[0].points[1]).toPoint();
