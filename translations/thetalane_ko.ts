@@ -428,7 +428,7 @@ after %2 s: off by %3 m</source>
         <translation>%1: 끝까지 같음</translation>
     </message>
     <message>
-        <source>At %1 s, at %2, %3 is more than %4 mm from where it should be.</source>
+        <source>At %1 s, at %2, the body “%3” is more than %4 mm from where it should be.</source>
         <translation>%1 s에 %2에서 물체 ‘%3’의 위치가 참값에서 %4 mm 넘게 벗어납니다.</translation>
     </message>
     <message>

@@ -144,7 +144,7 @@ void GhostBox::describe() {
         text = ghostText(*m_result, ghosts()->all[*m_open]);
     else if (ghosts())
         text = tr("Grey: what should happen. Choose a line or a mark to see where it leaves.");
-    m_story->setText(text);
+    m_story->setText(keptTogether(text));
     m_story->setVisible(!text.isEmpty());
 }
 

@@ -55,6 +55,30 @@ QPolygonF wayOf(const Run& run, std::size_t body, double until, const Pixels& px
     return way;
 }
 
+// What matters of bodies that fly apart is where they start, and where they are when the last ghost leaves.
+QRectF partOfThePlane(const Ghosts& ghosts) {
+    const Run& truth = *ghosts.truth;
+    if (truth.scene.lane || truth.scene.frame)
+        return fitRect(truth, ghosts.shownAt);
+    const auto disc = [&](std::size_t body, const Vec2d& p) {
+        const double r = truth.scene.bodies[body].radius;
+        return toUnits(p - Vec2d{r, r}, p + Vec2d{r, r});
+    };
+    QRectF start, all;
+    double last = 0;
+    for (const Ghost& g : ghosts.all)
+        if (g.parting)
+            last = std::max(last, g.parting->time);
+    for (std::size_t i = 0; i < truth.scene.bodies.size(); ++i) {
+        start |= disc(i, truth.scene.bodies[i].position);
+        all |= disc(i, truth.timeline.bodyAt(i, last > 0 ? last : ghosts.shownAt).position);
+    }
+    const double more = 0.4 * std::max(start.width(), start.height());
+    all = (all | start) & start.adjusted(-more, -more, more, more);
+    const double margin = 0.05 * std::max(all.width(), all.height());
+    return all.adjusted(-margin, -margin, margin, margin);
+}
+
 bool moves(const QPolygonF& way) {
     const QRectF box = way.boundingRect();
     return box.width() > 1 || box.height() > 1;
@@ -110,10 +134,7 @@ MethodStyle GhostView::styleOf(std::size_t ghost) const {
 }
 
 QTransform GhostView::transform() const {
-    QRectF all = fitRect(*ghosts()->truth, ghosts()->shownAt);
-    for (const Ghost& g : ghosts()->all)
-        if (g.parting && !ghosts()->truth->scene.lane)
-            all |= QRectF(toUnits(g.parting->run), QSizeF(1, 1));
+    const QRectF all = partOfThePlane(*ghosts());
     const double margin = 2.0 * m_appearance.unit();
     const double scale = std::min((width() - margin) / all.width(), (height() - margin) / all.height());
     QTransform t;
@@ -123,7 +144,7 @@ QTransform GhostView::transform() const {
     return t;
 }
 
-// Of what happened far up the lane, at the edge.
+// Of what happened outside of the part that is drawn, at its edge.
 std::optional<QPointF> GhostView::markAt(std::size_t ghost) const {
     const auto& parting = ghosts()->all[ghost].parting;
     if (!parting)

@@ -5,11 +5,13 @@
 #include "ui/lab/lab_words.h"
 #include "ui/lab/method_choice.h"
 #include "ui/lab/preset_row.h"
+#include "ui/panels/icon_button.h"
 #include "ui/panels/value_row.h"
 #include "ui/plot/plot_view.h"
 #include "ui/words/number_text.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -134,10 +136,12 @@ QWidget* LabPanel::makeDiagram() {
     m_diagrams->setObjectName(QStringLiteral("labDiagram"));
     m_plot = new PlotView(m_diagram);
     m_plot->setObjectName(QStringLiteral("labPlot"));
-    auto* layout = new QVBoxLayout(m_diagram);
+    auto* layout = new QGridLayout(m_diagram);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_diagrams);
-    layout->addWidget(m_plot);
+    layout->addWidget(m_diagrams, 0, 0);
+    layout->addWidget(new IconMark(appearance(), Icon::Down, m_diagram), 0, 0,
+                      Qt::AlignRight | Qt::AlignVCenter);
+    layout->addWidget(m_plot, 1, 0);
     return m_diagram;
 }
 
@@ -156,7 +160,7 @@ void LabPanel::retranslate() {
     nameDiagrams();
     showProgress();
     showPlot();
-    m_sentence->setText(m_result ? labSentence(*m_result) : QString());
+    m_sentence->setText(m_result ? keptTogether(labSentence(*m_result)) : QString());
 }
 
 void LabPanel::restyle() {
@@ -258,7 +262,7 @@ void LabPanel::take(std::shared_ptr<const LabResult> result) {
     if (result->plan != m_plan)
         return;
     m_result = std::move(result);
-    const QString sentence = labSentence(*m_result);
+    const QString sentence = keptTogether(labSentence(*m_result));
     m_sentence->setText(sentence);
     m_sentence->setVisible(!sentence.isEmpty());
     m_ghosts->show(m_result);

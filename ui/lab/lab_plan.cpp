@@ -81,7 +81,7 @@ void smallerStep(LabPlan& plan, double share) {
             methods.push_back(steppedMethod(1 / n, approachingOnly));
     for (const double n : {60, 240, 1000, 5000})
         methods.push_back(sweptMethod(1 / n, 1));
-    plan.cases = rackThrows(counted(30, share));
+    plan.cases = rackThrows(counted(20, share));
     plan.options = briefly(std::move(methods));
     plan.options.costRounds = 1;
     plan.teller = rowOf(plan, steppedMethod(1.0 / 20'000, false));
@@ -91,7 +91,7 @@ void smallerStep(LabPlan& plan, double share) {
 }
 
 void floatEnough(LabPlan& plan, double share) {
-    plan.cases = rackThrows(counted(400, share));
+    plan.cases = rackThrows(counted(300, share));
     plan.options = briefly({eventMethod(), eventMethod(Precision::Float), referenceMethod()});
     plan.teller = 1;
     plan.ghosts = {0, 1};
@@ -110,7 +110,7 @@ void friction(LabPlan& plan, double share) {
 }
 
 void butterfly(LabPlan& plan, double share) {
-    plan.cases = rackThrows(counted(120, share));
+    plan.cases = rackThrows(counted(80, share));
     plan.options = briefly({referenceMethod()});
     plan.shifts = {1e-9, 1e-6, 1e-3};
     plan.teller = 1;

@@ -26,6 +26,10 @@ const std::array palette{
     MethodStyle{QColor(0x56, 0xB4, 0xE9), Qt::DashLine, Marker::Cross},
 };
 
+bool isGhost(const LabPlan& plan, std::size_t row) {
+    return std::find(plan.ghosts.begin(), plan.ghosts.end(), row) != plan.ghosts.end();
+}
+
 class Builder {
 public:
     explicit Builder(const LabResult& result)
@@ -89,10 +93,12 @@ public:
     LabPlot overTimePlot() {
         m_out.plot.x = {LabPlotText::tr("time [s]"), false, 0.0, m_study.until};
         m_out.plot.y = {LabPlotText::tr("position error, median [m]"), true, {}, {}};
+        constexpr std::size_t most = 6; // lines: of more rows those that are drawn over the lane
+        const bool crowded = m_study.methods.size() > most;
         for (std::size_t row = 0; row < m_study.methods.size(); ++row) {
             const MethodResult& r = m_study.methods[row];
             const bool isTruth = m_result.plan->shifts.empty() && r.method == m_study.truth;
-            if (r.cases == 0 || isTruth)
+            if (r.cases == 0 || isTruth || (crowded && !isGhost(*m_result.plan, row)))
                 continue;
             const MethodStyle style = rowStyle(*m_result.plan, row);
             PlotSeries series{rowName(*m_result.plan, row), style.colour, style.line, style.marker, {}};
@@ -167,21 +173,16 @@ private:
     LabPlot m_out;
 };
 
-// How many rows that would look the same are before it, among the ghosts or among the others.
+// How many ghosts before it would look the same. The rows that are not drawn may look like their family.
 std::size_t alikeBefore(const LabPlan& plan, std::size_t row) {
+    if (!isGhost(plan, row))
+        return 0;
     const auto& all = plan.options.methods;
     const MethodStyle style = methodStyle(all[row]);
-    const auto alike = [&](std::size_t other) {
+    return std::size_t(std::count_if(plan.ghosts.begin(), plan.ghosts.end(), [&](std::size_t other) {
         const MethodStyle s = methodStyle(all[other]);
-        return s.colour == style.colour && s.line == style.line;
-    };
-    const auto isGhost = [&](std::size_t r) {
-        return std::find(plan.ghosts.begin(), plan.ghosts.end(), r) != plan.ghosts.end();
-    };
-    std::size_t count = 0;
-    for (std::size_t other = 0; other < row; ++other)
-        count += alike(other) && isGhost(other) == isGhost(row);
-    return count;
+        return other < row && s.colour == style.colour && s.line == style.line;
+    }));
 }
 
 } // namespace

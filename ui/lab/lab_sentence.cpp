@@ -24,10 +24,12 @@ const MethodResult* find(const LabResult& r, const Method& method) {
     return nullptr;
 }
 
-// Two digits are enough for a ratio: 1200, 3.4.
+// Two digits are enough for a ratio: 12000, 37, 3.4, 0.95.
 QString times(double ratio) {
-    const double unit = std::pow(10, std::floor(std::log10(std::max(ratio, 1e-9))) - 1);
-    return numberText(std::round(ratio / unit) * unit);
+    if (ratio < 10)
+        return QString::number(ratio, 'f', ratio < 1 ? 2 : 1);
+    const double unit = std::pow(10, std::floor(std::log10(ratio)) - 1);
+    return QString::number(std::round(ratio / unit) * unit, 'f', 0);
 }
 
 QString lengthText(double metres) {

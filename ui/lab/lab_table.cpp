@@ -87,7 +87,7 @@ void LabTable::fillRow(std::size_t index) {
     const MethodResult& r = m_result->study.methods[index];
     const int row = int(index);
     const QString none = QStringLiteral("—");
-    const QString name = rowName(plan, index);
+    const QString name = keptTogether(rowName(plan, index));
     put(row, Name, name, name);
     item(row, Name)->setIcon(lineSample(rowStyle(plan, index), m_appearance));
 
@@ -139,7 +139,7 @@ void LabTable::fit() {
         for (int row = 0; row < rowCount(); ++row)
             if (const QTableWidgetItem* cell = item(row, c))
                 wide = std::max(wide, metrics.horizontalAdvance(cell->text()));
-        setColumnWidth(c, wide + 14);
+        setColumnWidth(c, wide + 22);
     }
     resizeRowsToContents();
     updateGeometry();

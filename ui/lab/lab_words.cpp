@@ -6,6 +6,7 @@
 #include "ui/words/worked_steps.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +98,13 @@ QString percentText(double part) {
     return QString::number(shown, 'f', whole ? 0 : 1) + QStringLiteral(" %");
 }
 
+QString keptTogether(QString text) {
+    static const QRegularExpression before("(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) (?=([nµmc]?m|m/s|[nµm]?s|%)\\b|%)");
+    constexpr QChar space(0x00A0);
+    text.replace(before, QString(space));
+    return text.replace(QStringLiteral(" + r₂"), QString(space) + '+' + space + QStringLiteral("r₂"));
+}
+
 QString labState(const LabResult& result) {
     const StudyResult& s = result.study;
     const QString count = s.casesAsked > 1 ? LabWords::tr("%1 of %2 throws").arg(s.cases).arg(s.casesAsked)
@@ -123,7 +131,7 @@ QString ghostText(const LabResult& result, const Ghost& ghost) {
     const Run& truth = *result.ghosts->truth;
     QStringList lines;
     if (const auto& p = ghost.parting)
-        lines << LabWords::tr("At %1 s, at %2, %3 is more than %4 mm from where it should be.")
+        lines << LabWords::tr("At %1 s, at %2, the body “%3” is more than %4 mm from where it should be.")
                      .arg(numberText(p->time), placeText(p->run), bodyName(truth.scene, p->body),
                           numberText(1e3 * plan.tolerance, 3));
     else
@@ -134,7 +142,7 @@ QString ghostText(const LabResult& result, const Ghost& ghost) {
                      .arg(contactText(truth, *ghost.difference), contactText(*ghost.run, *ghost.difference));
     else
         lines << LabWords::tr("All contacts are the same.");
-    if (ghost.digits)
+    if (ghost.digits && plan.shifts.empty())
         lines << LabWords::tr("Digits left after the last contact: %1.")
                      .arg(QString::number(*ghost.digits, 'f', 1));
     return lines.join(' ');

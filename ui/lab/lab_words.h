@@ -25,6 +25,9 @@ QString ghostText(const LabResult& result, const Ghost& ghost);
 QString ghostShortText(const LabPlan& plan,
                        const Ghost& ghost); // "the paper's loop, 1/60 s: leaves at 0.12 s"
 
+// No line ends between a number and its unit.
+QString keptTogether(QString text);
+
 QString percentText(double part); // "98.3 %"; 0 and 100 only where it is exactly that
 
 } // namespace thetalane
