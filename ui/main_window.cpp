@@ -256,7 +256,8 @@ void MainWindow::showPanelsFor(const Run& run) {
     if (m_attributes->currentWidget() == wanted)
         return;
     m_attributes->setCurrentWidget(wanted);
-    m_tabs->setCurrentIndex(isThrow ? AttributesTab : StepsTab);
+    if (m_tabs->currentIndex() != LabTab) // which has its own ways with a scene
+        m_tabs->setCurrentIndex(isThrow ? AttributesTab : StepsTab);
     retranslate();
 }
 

@@ -215,6 +215,8 @@ private slots:
         QCOMPARE(b.table().rowCount(), int(chosenAtFirst) - 1);
         for (const MethodResult& m : r.study.methods)
             QVERIFY(m.method.settings.kind != EngineKind::Stepped);
+        b.session.openBuiltin("glancing"); // what was found is of another scene
+        QVERIFY(!b.panel.result() && !b.table().isVisible());
     }
 
     void withoutAnyMethodThereIsNothingToRun() {

@@ -6,6 +6,7 @@
 #include "ui/lane/extent.h"
 #include "ui/lane/floor.h"
 #include "ui/lane/scale.h"
+#include "ui/words/worked_steps.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -180,12 +181,20 @@ void GhostView::paintTruth(QPainter& painter) const {
         if (moves(way))
             painter.drawPolyline(way);
     }
+    painter.setFont(m_appearance.font(Appearance::Size::Small));
+    const QFontMetricsF metrics(painter.font());
     for (const int i : m_bodies) {
         const Body& body = truth.scene.bodies[std::size_t(i)];
         const double r = px.length(body.radius);
         painter.setPen(QPen(m_appearance.quietText(), thin));
         painter.setBrush(faded(body.kind == BodyKind::Pin ? m_appearance.pin() : m_appearance.line(), 0.85));
-        painter.drawEllipse(px.at(truth.timeline.bodyAt(std::size_t(i), m_time).position), r, r);
+        const QPointF at = px.at(truth.timeline.bodyAt(std::size_t(i), m_time).position);
+        painter.drawEllipse(at, r, r);
+        if (metrics.height() > 2 * r)
+            continue;
+        painter.setPen(m_appearance.quietText());
+        painter.drawText(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), Qt::AlignCenter,
+                         metrics.elidedText(bodyName(truth.scene, i), Qt::ElideRight, 2 * r));
     }
 }
 

@@ -40,6 +40,10 @@ LabPanel::LabPanel(const Context& context, QWidget* parent, double share)
     connect(m_presets, &PresetRow::ownChosen, this, &LabPanel::chooseOwn);
     connect(m_methods, &MethodChoice::runAsked, this, &LabPanel::runOwn);
     connect(m_settled, &QTimer::timeout, this, &LabPanel::runDials);
+    connect(&session(), &Session::runChanged, this, [this] {
+        if (m_plan && !m_plan->preset) // it was about another scene
+            drop();
+    });
     connect(m_stop, &QPushButton::clicked, this, &LabPanel::stopOrAgain);
     connect(m_diagrams, &QComboBox::activated, this, &LabPanel::showPlot);
     connect(m_plot, &PlotView::picked, this, &LabPanel::pointPicked);
@@ -218,8 +222,11 @@ void LabPanel::chooseOwn() {
     m_hint->hide();
     m_dials->hide();
     m_methods->show();
-    if (!m_plan || !m_plan->preset)
-        return; // what was found about this scene stays
+    if (m_plan && m_plan->preset) // what was found about this scene stays
+        drop();
+}
+
+void LabPanel::drop() {
     m_worker->cancel();
     m_plan.reset();
     clear();

@@ -52,6 +52,7 @@ private:
     void runDials();
     void take(std::shared_ptr<const LabResult> result);
     void clear();
+    void drop(); // what was asked last, and what was found
     void showProgress();
     void showPlot();
     void nameDiagrams();
