@@ -273,8 +273,8 @@ after %2 s: off by %3 m</source>
         <translation>시간 간격이 1/60 s이면 투구 %2번 가운데 %1에서 핀을 두 번 이상 칩니다. 1/100000 s로 줄여도 %3입니다. 간격을 줄이면 겹친 깊이가 줄지만, 한 간격에 빠져나오는 거리도 똑같이 줄기 때문입니다. 다가갈 때만 속도를 교환하면 %4입니다.</translation>
     </message>
     <message>
-        <source>From 1/60 s to 1/20000 s the paper&apos;s loop goes from %1 to %2 of the throws with the right pins touched.</source>
-        <translation>시간 간격을 1/60 s에서 1/20000 s로 줄이면, 논문의 반복 계산에서 닿은 핀이 모두 맞는 투구는 %1에서 %2로 바뀝니다.</translation>
+        <source>From 1/60 s to 1/10000 s the paper&apos;s loop goes from %1 to %2 of the throws with the right pins touched.</source>
+        <translation>시간 간격을 1/60 s에서 1/10000 s로 줄이면, 논문의 반복 계산에서 닿은 핀이 모두 맞는 투구는 %1에서 %2로 바뀝니다.</translation>
     </message>
     <message>
         <source>It costs %1 times as much.</source>

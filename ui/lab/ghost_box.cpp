@@ -91,6 +91,7 @@ void GhostBox::makeLegend() {
         entry->setObjectName(QStringLiteral("ghost%1").arg(ghost));
         entry->setProperty("chooser", true);
         entry->setCheckable(true);
+        entry->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is elided
         entry->setIconSize(lineSampleSize(m_appearance));
         connect(entry, &QPushButton::clicked, this, [this, ghost] { open(ghost); });
         m_column->insertWidget(2 + int(ghost), entry);
@@ -103,12 +104,18 @@ void GhostBox::nameLegend() {
     for (std::size_t k = 0; ghosts() && k < m_legend.size(); ++k) {
         const Ghost& ghost = ghosts()->all[k];
         const QString text = ghostShortText(*m_result->plan, ghost);
-        m_legend[k]->setText(text);
+        const int room = width() - lineSampleSize(m_appearance).width() - 3 * m_appearance.unit();
+        m_legend[k]->setText(m_legend[k]->fontMetrics().elidedText(text, Qt::ElideMiddle, room));
         m_legend[k]->setIcon(lineSample(rowStyle(*m_result->plan, ghost.row), m_appearance));
         m_legend[k]->setToolTip(text + '\n' + tr("Press to go to that instant"));
         m_legend[k]->setAccessibleName(text);
         m_legend[k]->setChecked(m_open == k);
     }
+}
+
+void GhostBox::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    nameLegend();
 }
 
 void GhostBox::open(std::size_t ghost) {

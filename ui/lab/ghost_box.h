@@ -30,6 +30,9 @@ public:
 signals:
     void rowChosen(std::size_t row);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void restyle();
     void makeLegend();

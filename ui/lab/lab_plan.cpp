@@ -77,15 +77,15 @@ void twice(LabPlan& plan, double share) {
 void smallerStep(LabPlan& plan, double share) {
     std::vector<Method> methods{eventMethod()};
     for (const bool approachingOnly : {false, true})
-        for (const double n : {60, 240, 1000, 5000, 20'000})
+        for (const double n : {60, 240, 1000, 10'000})
             methods.push_back(steppedMethod(1 / n, approachingOnly));
-    for (const double n : {60, 240, 1000, 5000})
+    for (const double n : {60, 240, 1000, 10'000})
         methods.push_back(sweptMethod(1 / n, 1));
     plan.cases = rackThrows(counted(20, share));
     plan.options = briefly(std::move(methods));
     plan.options.costRounds = 1;
-    plan.teller = rowOf(plan, steppedMethod(1.0 / 20'000, false));
-    plan.ghosts = {plan.teller, rowOf(plan, steppedMethod(1.0 / 20'000, true)),
+    plan.teller = rowOf(plan, steppedMethod(1.0 / 10'000, false));
+    plan.ghosts = {plan.teller, rowOf(plan, steppedMethod(1.0 / 10'000, true)),
                    rowOf(plan, sweptMethod(1.0 / 60, 1))};
     plan.tolerance = 1e-2;
 }

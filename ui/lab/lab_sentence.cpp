@@ -79,12 +79,12 @@ QString twice(const LabResult& r) {
 QString smallerStep(const LabResult& r) {
     const MethodResult* exact = find(r, eventMethod());
     const MethodResult* coarse = find(r, steppedMethod(1.0 / 60, false));
-    const MethodResult* tiny = find(r, steppedMethod(1.0 / 20'000, false));
-    const MethodResult* careful = find(r, steppedMethod(1.0 / 20'000, true));
+    const MethodResult* tiny = find(r, steppedMethod(1.0 / 10'000, false));
+    const MethodResult* careful = find(r, steppedMethod(1.0 / 10'000, true));
     if (!exact || !coarse || !tiny || !careful)
         return {};
     QString text =
-        LabSentence::tr("From 1/60 s to 1/20000 s the paper's loop goes from %1 to %2 of the throws with the "
+        LabSentence::tr("From 1/60 s to 1/10000 s the paper's loop goes from %1 to %2 of the throws with the "
                         "right pins touched.")
             .arg(percentText(coarse->sameTouched), percentText(tiny->sameTouched));
     if (tiny->costRounds > 0 && coarse->costRounds > 0)
