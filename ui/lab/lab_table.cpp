@@ -131,16 +131,21 @@ void LabTable::fill() {
     fit();
 }
 
+// The numbers as wide as they are. Where no room would be left for the names, the last column gives way.
 void LabTable::fit() {
     const QFontMetrics metrics(font());
+    int numbers = 0;
     for (int c = Cost; c < ColumnCount; ++c) {
-        int wide =
-            metrics.horizontalAdvance(horizontalHeaderItem(c) ? horizontalHeaderItem(c)->text() : QString());
+        const QTableWidgetItem* head = horizontalHeaderItem(c);
+        int wide = metrics.horizontalAdvance(head ? head->text() : QString());
         for (int row = 0; row < rowCount(); ++row)
             if (const QTableWidgetItem* cell = item(row, c))
                 wide = std::max(wide, metrics.horizontalAdvance(cell->text()));
         setColumnWidth(c, wide + 22);
+        numbers += wide + 22;
     }
+    const int nameWidth = iconSize().width() + 10 * metrics.height();
+    setColumnHidden(Difference, viewport()->width() - numbers < nameWidth);
     resizeRowsToContents();
     updateGeometry();
 }
