@@ -144,7 +144,7 @@ void LabTable::fit() {
         setColumnWidth(c, wide + 22);
         numbers += wide + 22;
     }
-    const int nameWidth = iconSize().width() + 10 * metrics.height();
+    const int nameWidth = iconSize().width() + 7 * metrics.height();
     setColumnHidden(Difference, viewport()->width() - numbers < nameWidth);
     resizeRowsToContents();
     updateGeometry();
