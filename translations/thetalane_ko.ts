@@ -408,6 +408,10 @@ after %2 s: off by %3 m</source>
         <translation>장면 하나, %1 s</translation>
     </message>
     <message>
+        <source>%1 s of %2 s: further the truth would take too long</source>
+        <translation>%2 s 가운데 %1 s까지: 그 뒤의 참값은 계산이 너무 오래 걸립니다</translation>
+    </message>
+    <message>
         <source>%1 · about %2 s left</source>
         <translation>%1 · 약 %2초 남음</translation>
     </message>

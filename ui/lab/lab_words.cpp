@@ -107,8 +107,11 @@ QString keptTogether(QString text) {
 
 QString labState(const LabResult& result) {
     const StudyResult& s = result.study;
-    const QString count = s.casesAsked > 1 ? LabWords::tr("%1 of %2 throws").arg(s.cases).arg(s.casesAsked)
-                                           : LabWords::tr("one scene, %1 s").arg(numberText(s.until, 3));
+    QString count = s.casesAsked > 1 ? LabWords::tr("%1 of %2 throws").arg(s.cases).arg(s.casesAsked)
+                                     : LabWords::tr("one scene, %1 s").arg(numberText(s.until, 3));
+    if (s.until < 0.999 * s.untilAsked)
+        count = LabWords::tr("%1 s of %2 s: further the truth would take too long")
+                    .arg(numberText(s.until, 3), numberText(s.untilAsked, 3));
     if (!result.ended) {
         if (result.part < 0.03 || result.seconds < 0.3)
             return count;
