@@ -4,6 +4,7 @@
 #include "app/engine_options.h"
 #include "app/options.h"
 #include "app/scene_source.h"
+#include "ui/lab/lab_plan.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -47,6 +48,13 @@ Stage stageOption(Arguments& a) {
     return Stage(int(stage));
 }
 
+int labOption(Arguments& a) {
+    const qint64 question = a.count("lab", 1);
+    if (question > presetCount)
+        a.note("--lab: " + PictureText::tr("must be from 1 to %1, is %2").arg(presetCount).arg(question));
+    return int(question - 1);
+}
+
 QString outputOption(Arguments& a) {
     const QString path = a.value("output");
     if (path.isEmpty())
@@ -84,6 +92,8 @@ std::variant<int, PictureRequest> readPictureCall(const Call& call) {
     a.takesValue("collision", "K", PictureText::tr("the collision to open, from 1"));
     a.takesValue("stage", "0-5",
                  PictureText::tr("its stage: 0 contact, 1 split, 2 rotation, 3 exchange, 4 back, 5 check"));
+    a.takesValue("lab", "1-6",
+                 PictureText::tr("opens the accuracy lab on its question 1 to 6, measured here and now"));
     a.takesValue("size", "WxH", PictureText::tr("of the picture, in pixels; 1280x800 unless said"));
     a.takesFlag("projector", PictureText::tr("larger, for the back row of a class"));
     if (const auto status = a.read(call.arguments))
@@ -100,6 +110,8 @@ std::variant<int, PictureRequest> readPictureCall(const Call& call) {
     if (a.has("collision"))
         request.collision = std::size_t(a.count("collision", 1) - 1);
     request.stage = stageOption(a);
+    if (a.has("lab"))
+        request.lab = labOption(a);
     request.size = sizeOption(a, request.size);
     if (const auto status = a.faults())
         return *status;

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "ui/application_icon.h"
+#include "ui/lab/lab_plan.h"
 #include "ui/main_window.h"
 
 #include <QApplication>
@@ -146,6 +147,11 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     } else {
         app.session.waitFor(request.at);
         app.playhead.setTime(request.at);
+    }
+    if (request.lab) {
+        window.openLab(Preset(*request.lab));
+        while (window.isMeasuring())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     QCoreApplication::processEvents();
     return savePng(pictureOf(window, request.size), request.output);

@@ -29,6 +29,7 @@ struct PictureRequest {
     double at = 0;                        // [s]; what is later than the last moment shown shows that
     std::optional<std::size_t> collision; // from 0; there are that many
     Stage stage = Stage::Contact;
+    std::optional<int> lab; // a question of the accuracy lab, from 0: measured, and open
     QSize size{1280, 800};
     QString output; // a .png
 };

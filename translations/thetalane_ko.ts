@@ -258,6 +258,269 @@
     </message>
 </context>
 <context>
+    <name>LabPlotText</name>
+    <message>
+        <source>way of a step v·h [m]</source>
+        <translation>한 간격에 가는 거리 v·h [m]</translation>
+    </message>
+    <message>
+        <source>went through [%]</source>
+        <translation>통과한 비율 [%]</translation>
+    </message>
+    <message>
+        <source>1 − 2(r₁ + r₂)/(v·h)</source>
+        <translation>1 − 2(r₁ + r₂)/(v·h)</translation>
+    </message>
+    <message>
+        <source>step [s]</source>
+        <translation>시간 간격 [s]</translation>
+    </message>
+    <message>
+        <source>hit more than once [%]</source>
+        <translation>두 번 이상 부딪친 비율 [%]</translation>
+    </message>
+    <message>
+        <source>cost of a throw [µs]</source>
+        <translation>투구 한 번의 계산 시간 [µs]</translation>
+    </message>
+    <message>
+        <source>other pins down [%]</source>
+        <translation>쓰러진 핀이 달라진 비율 [%]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>시간 [s]</translation>
+    </message>
+    <message>
+        <source>position error, median [m]</source>
+        <translation>위치 오차, 중앙값 [m]</translation>
+    </message>
+    <message>
+        <source>%1
+after %2 s: off by %3 m</source>
+        <translation>%1
+%2 s 뒤: %3 m 벗어남</translation>
+    </message>
+    <message>
+        <source>same pins touched %1 · same contacts %2</source>
+        <translation>같은 핀에 닿음 %1 · 접촉이 모두 같음 %2</translation>
+    </message>
+    <message>
+        <source>Error against cost</source>
+        <translation>계산 시간과 오차</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>시간에 따른 오차</translation>
+    </message>
+    <message>
+        <source>Went through, by the way of a step</source>
+        <translation>한 간격에 가는 거리와 통과한 비율</translation>
+    </message>
+    <message>
+        <source>Hit more than once, by step</source>
+        <translation>시간 간격과 두 번 이상 부딪친 비율</translation>
+    </message>
+    <message>
+        <source>Pins changed against cost</source>
+        <translation>계산 시간과 달라진 핀</translation>
+    </message>
+</context>
+<context>
+    <name>LabSentence</name>
+    <message>
+        <source>At %1 m/s and %2 the ball moves %3 in a step: less than 2(r₁ + r₂) = %4, so it cannot skip the pin. It went through in 0 of %5 throws.</source>
+        <translation>속력 %1 m/s, 시간 간격 %2일 때 공은 한 간격에 %3를 갑니다. 2(r₁ + r₂) = %4보다 짧으므로 핀을 건너뛸 수 없습니다. 투구 %5번 가운데 0번 통과했습니다.</translation>
+    </message>
+    <message>
+        <source>At %1 m/s and %2 the ball moves %3 in a step: more than 2(r₁ + r₂) = %4. It went through the pin in %5 of %6 throws; swept steps of the same length: in %7.</source>
+        <translation>속력 %1 m/s, 시간 간격 %2일 때 공은 한 간격에 %3를 갑니다. 2(r₁ + r₂) = %4보다 깁니다. 투구 %6번 가운데 %5에서 공이 핀을 통과했습니다. 같은 시간 간격으로 연속 충돌 검사를 하면 %7입니다.</translation>
+    </message>
+    <message>
+        <source>With a step of 1/60 s the loop hits the pin more than once in %1 of %2 throws; with 1/100000 s still in %3. The overlap shrinks with the step, and so does the way out of it. Exchanging only when they approach: %4.</source>
+        <translation>시간 간격이 1/60 s이면 투구 %2번 가운데 %1에서 핀을 두 번 이상 칩니다. 1/100000 s로 줄여도 %3입니다. 간격을 줄이면 겹친 깊이가 줄지만, 한 간격에 빠져나오는 거리도 똑같이 줄기 때문입니다. 다가갈 때만 속도를 교환하면 %4입니다.</translation>
+    </message>
+    <message>
+        <source>From 1/60 s to 1/10000 s the paper&apos;s loop goes from %1 to %2 of the throws with the right pins touched.</source>
+        <translation>시간 간격을 1/60 s에서 1/10000 s로 줄이면, 논문의 반복 계산에서 닿은 핀이 모두 맞는 투구는 %1에서 %2로 바뀝니다.</translation>
+    </message>
+    <message>
+        <source>It costs %1 times as much.</source>
+        <translation>계산 시간은 %1배가 됩니다.</translation>
+    </message>
+    <message>
+        <source>Exchanging only when they approach: %1. From contact to contact: %2</source>
+        <translation>다가갈 때만 속도를 교환하면 %1, 접촉에서 다음 접촉으로 바로 가면 %2</translation>
+    </message>
+    <message>
+        <source>, in %1 a throw</source>
+        <translation>(투구 한 번에 %1)</translation>
+    </message>
+    <message>
+        <source>For the question which pins are touched, yes: the same in all of %1 throws.</source>
+        <translation>어느 핀에 닿는지만 알려면 충분합니다. 투구 %1번 모두에서 같은 핀에 닿았습니다.</translation>
+    </message>
+    <message>
+        <source>Not always: the same pins are touched in %2 of %1 throws.</source>
+        <translation>늘 충분하지는 않습니다. 같은 핀에 닿은 것은 투구 %1번 가운데 %2입니다.</translation>
+    </message>
+    <message>
+        <source>At the end float is off by %1 in half of them and by up to %3; double by %2.</source>
+        <translation>끝난 때의 위치 오차는 단정밀도에서 중앙값 %1, 최댓값 %3이고 배정밀도에서 중앙값 %2입니다.</translation>
+    </message>
+    <message>
+        <source>Float takes %1 times the time of double.</source>
+        <translation>단정밀도의 계산 시간은 배정밀도의 %1배입니다.</translation>
+    </message>
+    <message>
+        <source>Digits left after the last contact of the throw below: %1 and %2.</source>
+        <translation>아래 투구에서 마지막 접촉 뒤에 남은 자릿수는 각각 %1자리와 %2자리입니다.</translation>
+    </message>
+    <message>
+        <source>Leaving out friction changes which pins fall in %1 of %2 throws.</source>
+        <translation>마찰을 빼면 투구 %2번 가운데 %1에서 쓰러지는 핀이 달라집니다.</translation>
+    </message>
+    <message>
+        <source>Friction takes %1 of the time: %2 a throw with it, %3 without.</source>
+        <translation>마찰을 계산하는 데 전체 시간의 %1가 듭니다. 투구 한 번에 마찰이 있으면 %2, 없으면 %3입니다.</translation>
+    </message>
+    <message>
+        <source>What matters least is %1: %2.</source>
+        <translation>빼도 가장 덜 달라지는 것은 ‘%1’입니다(%2).</translation>
+    </message>
+    <message>
+        <source>%1 to the left becomes %2 in half of the throws after %3 s, and %4 in the worst: %5 times as much. Other pins fall in %6 of %7 throws; with %8 to the left, in %9.</source>
+        <translation>왼쪽으로 %1 옮긴 차이가 %3 s 뒤에는 중앙값 %2, 최댓값 %4로 커집니다. 최대 %5배입니다. 쓰러지는 핀이 달라진 것은 투구 %7번 가운데 %6이고, %8 옮기면 %9입니다.</translation>
+    </message>
+    <message>
+        <source>After %1 s the nearest to the truth is %2 (off by %3), the furthest %4 (off by %5).</source>
+        <translation>%1 s 뒤에 참값에 가장 가까운 것은 ‘%2’(오차 %3)이고, 가장 먼 것은 ‘%4’(오차 %5)입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>LabWords</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>contact %1, %2 at %3 s</source>
+        <translation>%1번째 접촉 %2, %3 s</translation>
+    </message>
+    <message>
+        <source>It went through</source>
+        <translation>뚫고 지나갔다</translation>
+    </message>
+    <message>
+        <source>It hit twice</source>
+        <translation>두 번 쳤다</translation>
+    </message>
+    <message>
+        <source>Smaller step, no better</source>
+        <translation>간격을 줄여도 그대로</translation>
+    </message>
+    <message>
+        <source>Is float enough?</source>
+        <translation>단정밀도로 충분할까?</translation>
+    </message>
+    <message>
+        <source>What friction costs</source>
+        <translation>마찰의 값</translation>
+    </message>
+    <message>
+        <source>Butterfly: 1 µm to the left</source>
+        <translation>나비 효과: 왼쪽으로 1 µm</translation>
+    </message>
+    <message>
+        <source>A fast ball, a pin, and steps so long that the ball can skip through it</source>
+        <translation>빠른 공과 핀 하나, 그리고 공이 핀을 건너뛸 만큼 긴 시간 간격</translation>
+    </message>
+    <message>
+        <source>One ball, one pin, e = 0.75: how often the paper&apos;s loop exchanges one contact</source>
+        <translation>공 하나와 핀 하나, e = 0.75: 논문의 반복 계산은 한 접촉을 몇 번이나 처리하는가</translation>
+    </message>
+    <message>
+        <source>Throws at the rack with ever smaller steps, against the exact method</source>
+        <translation>시간 간격을 줄여 가며 핀 열 개에 던지고 정확한 계산과 비교합니다</translation>
+    </message>
+    <message>
+        <source>Throws at the rack with 24, 53 and 113 bits</source>
+        <translation>24, 53, 113비트로 핀 열 개에 던집니다</translation>
+    </message>
+    <message>
+        <source>Throws down the whole lane with all models, then with one left out each</source>
+        <translation>레인 전체에서 모든 모형을 넣고 던진 뒤, 하나씩 빼고 다시 던집니다</translation>
+    </message>
+    <message>
+        <source>The same throws at the rack with the ball a little to the left; no method errs here</source>
+        <translation>공을 왼쪽으로 조금 옮겨 같은 투구를 합니다. 여기서는 계산 방법의 오차가 없습니다</translation>
+    </message>
+    <message>
+        <source>ball %1 to the left</source>
+        <translation>공을 왼쪽으로 %1</translation>
+    </message>
+    <message>
+        <source>with all models</source>
+        <translation>모든 모형 포함</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>%1 없이</translation>
+    </message>
+    <message>
+        <source>%1 of %2 throws</source>
+        <translation>투구 %2번 중 %1번</translation>
+    </message>
+    <message>
+        <source>one scene, %1 s</source>
+        <translation>장면 하나, %1 s</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s: further the truth would take too long</source>
+        <translation>%2 s 가운데 %1 s까지: 그 뒤의 참값은 계산이 너무 오래 걸립니다</translation>
+    </message>
+    <message>
+        <source>%1 · about %2 s left</source>
+        <translation>%1 · 약 %2초 남음</translation>
+    </message>
+    <message>
+        <source>Cancelled after %1 s; shown is what there is: %2</source>
+        <translation>%1초 만에 취소했습니다. 그때까지의 결과입니다: %2</translation>
+    </message>
+    <message>
+        <source>%1 · measured in %2 s</source>
+        <translation>%1 · 측정 시간 %2초</translation>
+    </message>
+    <message>
+        <source>%1: leaves at %2 s</source>
+        <translation>%1: %2 s에 벗어남</translation>
+    </message>
+    <message>
+        <source>%1: stays to the end</source>
+        <translation>%1: 끝까지 같음</translation>
+    </message>
+    <message>
+        <source>At %1 s, at %2, the body “%3” is more than %4 mm from where it should be.</source>
+        <translation>%1 s에 %2에서 물체 ‘%3’의 위치가 참값에서 %4 mm 넘게 벗어납니다.</translation>
+    </message>
+    <message>
+        <source>No body is ever more than %1 mm from where it should be.</source>
+        <translation>어느 물체도 참값에서 %1 mm 넘게 벗어나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The first contact that differs: should be %1; here: %2.</source>
+        <translation>처음으로 다른 접촉: 참값은 %1, 여기서는 %2.</translation>
+    </message>
+    <message>
+        <source>All contacts are the same.</source>
+        <translation>접촉은 모두 같습니다.</translation>
+    </message>
+    <message>
+        <source>Digits left after the last contact: %1.</source>
+        <translation>마지막 접촉 뒤에 남은 자릿수: %1.</translation>
+    </message>
+</context>
+<context>
     <name>MainText</name>
     <message>
         <source>%1: there is no such command;</source>
@@ -661,6 +924,14 @@
     <message>
         <source>a collision has its own moment; say --at or --collision, not both</source>
         <translation>충돌의 시각은 이미 정해져 있습니다. --at과 --collision 가운데 하나만 쓰십시오</translation>
+    </message>
+    <message>
+        <source>must be from 1 to %1, is %2</source>
+        <translation>1 이상 %1 이하여야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>opens the accuracy lab on its question 1 to 6, measured here and now</source>
+        <translation>정확도 실험실을 열어 질문 1–6 가운데 하나를 그 자리에서 측정합니다</translation>
     </message>
 </context>
 <context>
@@ -2083,6 +2354,33 @@
     </message>
 </context>
 <context>
+    <name>thetalane::GhostBox</name>
+    <message>
+        <source>The same throw under each method; a mark stands where one leaves the truth</source>
+        <translation>방법마다 계산한 같은 투구. 참값에서 벗어나는 곳에 표시가 있습니다</translation>
+    </message>
+    <message>
+        <source>The same throw under each method will be drawn here.</source>
+        <translation>같은 투구를 방법마다 계산해 여기에 그립니다.</translation>
+    </message>
+    <message>
+        <source>Time of the drawing</source>
+        <translation>그림의 시각</translation>
+    </message>
+    <message>
+        <source>Moves all of them through the time</source>
+        <translation>그림 전체의 시각을 옮깁니다</translation>
+    </message>
+    <message>
+        <source>Press to go to that instant</source>
+        <translation>누르면 그 순간으로 갑니다</translation>
+    </message>
+    <message>
+        <source>Grey: what should happen. Choose a line or a mark to see where it leaves.</source>
+        <translation>회색은 참값입니다. 줄이나 표시를 고르면 어디서 벗어나는지 보입니다.</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::InstantNote</name>
     <message numerus="yes">
         <source>Together with, among %n others:</source>
@@ -2101,6 +2399,152 @@
     <message>
         <source>Open collision %1: %2</source>
         <translation>충돌 %1번 열기: %2</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LabPanel</name>
+    <message>
+        <source>Press a question: it is measured on this machine, and answered with what was found.</source>
+        <translation>질문을 누르면 이 컴퓨터에서 바로 재고, 잰 값으로 답합니다.</translation>
+    </message>
+    <message>
+        <source>Speed of the ball</source>
+        <translation>공의 속력</translation>
+    </message>
+    <message>
+        <source>How fast the ball comes at the pin</source>
+        <translation>공이 핀으로 다가오는 속력</translation>
+    </message>
+    <message>
+        <source>Steps per second, 1/h</source>
+        <translation>1초당 계산 횟수 1/h</translation>
+    </message>
+    <message>
+        <source>How often the paper&apos;s loop looks for overlap</source>
+        <translation>논문의 반복 계산이 1초에 겹침을 살피는 횟수</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>측정 진행 상황</translation>
+    </message>
+    <message>
+        <source>Diagram</source>
+        <translation>그래프</translation>
+    </message>
+    <message>
+        <source>What the diagram shows</source>
+        <translation>그래프에 나타낼 것</translation>
+    </message>
+    <message>
+        <source>Diagram of the measurement; the table below holds the same numbers</source>
+        <translation>측정 결과 그래프. 아래 표에 같은 값이 있습니다</translation>
+    </message>
+    <message>
+        <source>must be greater than 0 and at most 1000</source>
+        <translation>0보다 크고 1000 이하여야 합니다</translation>
+    </message>
+    <message>
+        <source>must be from 0.1 to 100000</source>
+        <translation>0.1 이상 100000 이하여야 합니다</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>다시</translation>
+    </message>
+    <message>
+        <source>Stops, and keeps what is measured so far</source>
+        <translation>멈추고, 그때까지 잰 것은 남깁니다</translation>
+    </message>
+    <message>
+        <source>Measures once more</source>
+        <translation>한 번 더 잽니다</translation>
+    </message>
+    <message>
+        <source>Begins …</source>
+        <translation>시작하는 중 …</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LabTable</name>
+    <message>
+        <source>What each method costs, and how far off it is</source>
+        <translation>방법마다 걸리는 시간과 오차</translation>
+    </message>
+    <message>
+        <source>Choose a row to bring its ghost to the front</source>
+        <translation>줄을 고르면 그 방법의 그림이 앞으로 나옵니다</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>계산 시간</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>오차</translation>
+    </message>
+    <message>
+        <source>Same pins</source>
+        <translation>같은 핀</translation>
+    </message>
+    <message>
+        <source>Differs</source>
+        <translation>다른 접촉</translation>
+    </message>
+    <message>
+        <source>The way of computing</source>
+        <translation>계산 방법</translation>
+    </message>
+    <message>
+        <source>Processor time of one throw; beside it, to the first row</source>
+        <translation>투구 한 번에 드는 계산 시간. 가리키면 첫 줄과의 비가 나옵니다</translation>
+    </message>
+    <message>
+        <source>Position error at the end, median over the throws; on hover the rms and the worst</source>
+        <translation>끝난 때의 위치 오차, 투구들의 중앙값. 가리키면 제곱평균제곱근과 최댓값이 나옵니다</translation>
+    </message>
+    <message>
+        <source>The same pins touched; where no pin is, the same bodies</source>
+        <translation>같은 핀에 닿은 비율. 핀이 없으면 같은 물체</translation>
+    </message>
+    <message>
+        <source>The first contact that differs, and its time in the reference: median of the throws in which one does</source>
+        <translation>처음으로 다른 접촉의 번호와 기준 계산에서의 시각. 다른 접촉이 있는 투구들의 중앙값</translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation>너무 느림</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (quartiles of %3 rounds); %4 times the first row</source>
+        <translation>%1–%2 (%3회 측정의 사분위수), 첫 줄의 %4배</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>계산 불가</translation>
+    </message>
+    <message>
+        <source>rms %1 m, worst %2 m</source>
+        <translation>제곱평균제곱근 %1 m, 최댓값 %2 m</translation>
+    </message>
+    <message>
+        <source>same pins down %1, same contacts %2</source>
+        <translation>같은 핀이 쓰러짐 %1, 접촉이 모두 같음 %2</translation>
+    </message>
+    <message>
+        <source>no. %1, %2 s</source>
+        <translation>%1번째, %2 s</translation>
+    </message>
+    <message>
+        <source>missed %1, repeated %2 a throw</source>
+        <translation>투구 한 번에 놓친 접촉 %1, 되풀이한 접촉 %2</translation>
     </message>
 </context>
 <context>
@@ -2214,12 +2658,31 @@
         <source>Language of everything (L)</source>
         <translation>화면 전체의 언어 (L)</translation>
     </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>정확도</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>알림 닫기</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MethodChoice</name>
+    <message>
+        <source>next event, with a model left out</source>
+        <translation>정확한 계산에서 모형 하나를 뺌</translation>
+    </message>
+    <message>
+        <source>Run on the scene in the window</source>
+        <translation>창에 있는 장면으로 계산</translation>
+    </message>
+    <message>
+        <source>Runs what is chosen on the scene in the window, against the reference of 113 bits</source>
+        <translation>고른 방법으로 창에 있는 장면을 계산해 113비트 기준 계산과 비교합니다</translation>
     </message>
 </context>
 <context>
@@ -2246,6 +2709,17 @@
     <message>
         <source>Pins touched: %1, down: %2</source>
         <translation>맞은 핀 %1개, 쓰러진 핀 %2개</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::PresetRow</name>
+    <message>
+        <source>The scene in the window</source>
+        <translation>창에 있는 장면</translation>
+    </message>
+    <message>
+        <source>Methods of your choice on the scene in the window</source>
+        <translation>고른 방법으로 창에 있는 장면을 계산합니다</translation>
     </message>
 </context>
 <context>

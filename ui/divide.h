@@ -18,17 +18,28 @@ public:
     QByteArray remembered() const { return m_byHand ? saveState() : QByteArray(); }
     void recall(const QByteArray& state) { m_byHand = !state.isEmpty() && restoreState(state); }
 
+    // Of the width, for the cards.
+    void setShare(double share) {
+        m_share = share;
+        spread();
+    }
+
 protected:
     void resizeEvent(QResizeEvent* event) override {
         QSplitter::resizeEvent(event);
-        if (m_byHand)
-            return;
-        const QWidget* cards = widget(1);
-        const int share = std::clamp(width() * 3 / 10, cards->minimumWidth(), cards->maximumWidth());
-        setSizes({width() - share, share});
+        spread();
     }
 
 private:
+    void spread() {
+        if (m_byHand)
+            return;
+        const QWidget* cards = widget(1);
+        const int share = std::clamp(int(width() * m_share), cards->minimumWidth(), cards->maximumWidth());
+        setSizes({width() - share, share});
+    }
+
+    double m_share = 0.3;
     bool m_byHand = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/format/scene_file.h"
 #include "ui/divide.h"
+#include "ui/lab/lab_panel.h"
 #include "ui/lane/lane_panel.h"
 #include "ui/message_bar.h"
 #include "ui/panels/bodies_panel.h"
@@ -40,7 +41,7 @@
 namespace thetalane {
 namespace {
 
-enum Tab { StepsTab, CollisionsTab, AttributesTab };
+enum Tab { StepsTab, CollisionsTab, AttributesTab, LabTab };
 
 // Whether a widget with the focus uses the arrow keys itself.
 bool usesArrows(const QWidget* w) {
@@ -140,12 +141,17 @@ void MainWindow::buildCentre() {
     m_tabs->addTab(m_steps, QString());
     m_tabs->addTab(list, QString());
     m_tabs->addTab(m_attributes, QString());
+    m_lab = new LabPanel(m_context);
+    m_tabs->addTab(m_lab, QString());
 
     m_divide = new Divide;
     m_divide->setObjectName("divide");
     m_divide->setChildrenCollapsible(false);
     m_divide->addWidget(m_lane);
     m_divide->addWidget(m_tabs);
+    // Diagrams and ghosts like room.
+    connect(m_tabs, &QTabWidget::currentChanged, m_divide,
+            [this](int tab) { m_divide->setShare(tab == LabTab ? 0.5 : 0.3); });
 
     m_message = new MessageBar(m_context);
     auto* centre = new QWidget;
@@ -215,6 +221,15 @@ void MainWindow::openFile(const QString& path) {
     m_context.session.open(std::get<Scene>(result));
 }
 
+void MainWindow::openLab(Preset preset) {
+    m_tabs->setCurrentIndex(LabTab);
+    m_lab->choose(preset);
+}
+
+bool MainWindow::isMeasuring() const {
+    return m_lab->running();
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->urls().size() == 1 && event->mimeData()->urls().first().isLocalFile())
         event->acceptProposedAction();
@@ -241,7 +256,8 @@ void MainWindow::showPanelsFor(const Run& run) {
     if (m_attributes->currentWidget() == wanted)
         return;
     m_attributes->setCurrentWidget(wanted);
-    m_tabs->setCurrentIndex(isThrow ? AttributesTab : StepsTab);
+    if (m_tabs->currentIndex() != LabTab) // which has its own ways with a scene
+        m_tabs->setCurrentIndex(isThrow ? AttributesTab : StepsTab);
     retranslate();
 }
 
@@ -257,6 +273,7 @@ void MainWindow::retranslate() {
     m_tabs->setTabText(CollisionsTab, tr("Collisions"));
     const bool isThrow = m_attributes->currentWidget() == m_throw;
     m_tabs->setTabText(AttributesTab, isThrow ? tr("Throw") : tr("Bodies"));
+    m_tabs->setTabText(LabTab, tr("Accuracy"));
     m_reset->setWords(tr("Reset the scene"), tr("Reset the scene (R)"));
     m_projector->setText(tr("Projector"));
     m_projector->setToolTip(tr("Large type and lines for a projector (F11)"));

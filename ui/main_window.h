@@ -17,11 +17,13 @@ namespace thetalane {
 class BodiesPanel;
 class Divide;
 class IconButton;
+class LabPanel;
 class LanePanel;
 class MessageBar;
 class SceneChooser;
 class StepPanel;
 class ThrowPanel;
+enum class Preset;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -38,6 +40,10 @@ public:
 
     // Opens a scene file; what is wrong with it is said in the window, and the last good scene stays.
     void openFile(const QString& path);
+
+    // Opens the accuracy lab on one of its questions, which it then measures.
+    void openLab(Preset preset);
+    bool isMeasuring() const;
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -76,6 +82,7 @@ private:
     QStackedWidget* m_attributes = nullptr; // the bodies', or the throw's
     BodiesPanel* m_bodies = nullptr;
     ThrowPanel* m_throw = nullptr;
+    LabPanel* m_lab = nullptr;
 };
 
 } // namespace thetalane
