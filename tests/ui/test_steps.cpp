@@ -1,5 +1,6 @@
 // The typesetter, the figures and the panel: nothing clipped, labels off the arrows, real keys and clicks.
 #include "core/scene/builtin.h"
+#include "core/study/digits_left.h"
 #include "ui/steps/step_panel.h"
 #include "ui/words/language.h"
 
@@ -167,6 +168,28 @@ private slots:
         QCOMPARE(b.find<QLabel>("invitation")->text(), QString("Nothing collides in this run."));
     }
 
+    // Against a run with 113 bits; of a run in steps nothing is said.
+    void saysHowManyDigitsAreLeft() {
+        Bench b;
+        QVERIFY(b.session.openBuiltin("rack"));
+        EngineSettings exact = b.session.run()->settings;
+        exact.precision = Precision::Quad;
+        const Run truth = std::get<Run>(simulate(b.session.scene(), exact));
+        const auto common = digitsInCommon(truth, *b.session.run());
+        static const QRegularExpression said(QStringLiteral("digits&nbsp;left:&nbsp;(\\d+)"));
+        for (std::size_t k = 0; k < common.size(); ++k) {
+            b.playhead.select(k);
+            const auto found = said.match(b.find<QLabel>("collisionPartners")->text());
+            QVERIFY(found.hasMatch());
+            QVERIFY2(std::abs(found.captured(1).toInt() + 0.5 - common[k]) < 1.6,
+                     qPrintable(QStringLiteral("%1: %2").arg(found.captured(1)).arg(common[k])));
+        }
+        EngineSettings steps = b.session.run()->settings;
+        steps.kind = EngineKind::Stepped;
+        QVERIFY(!b.session.setEngine(steps));
+        b.playhead.select(0);
+        QVERIFY(!b.find<QLabel>("collisionPartners")->text().contains("left"));
+    }
     void clicksAndKeysChooseTheStage() {
         Bench b;
         b.playhead.select(0);

@@ -195,6 +195,9 @@ void StepPanel::retranslate() {
     m_previous->setAccessibleName(tr("The collision before"));
     m_next->setToolTip(tr("The next collision (Ctrl+→)"));
     m_next->setAccessibleName(tr("The next collision"));
+    m_partners->setToolTip(
+        tr("Digits left: so many decimal digits of this collision's triangle and velocities are "
+           "right. Every collision makes the rounding errors before it grow."));
     m_go->setText(tr("Go to the first collision"));
     m_go->setToolTip(tr("Go to the first collision (Ctrl+→)"));
     m_go->setAccessibleName(m_go->text());
@@ -220,6 +223,10 @@ void StepPanel::showHead(const Collision& c) {
                    : name(c.second, Ink::Second);
     QStringList facts{QStringLiteral("%1 → %2").arg(name(c.first, Ink::First), second),
                       QStringLiteral("<i>t</i>&nbsp;=&nbsp;%1&nbsp;s").arg(numberText(c.time))};
+    if (const auto digits = m_trust.digitsLeft(m_session.run(), m_session.part().collisionsBefore == 0,
+                                               *m_playhead.selected()))
+        facts << coloured(m_appearance.quietText(),
+                          tr("digits left: %1").arg(*digits).replace(' ', "&nbsp;"));
     m_partners->setText(facts.join(QStringLiteral(" · ")));
     m_instant->showCollision(*m_playhead.selected());
     showPlace();

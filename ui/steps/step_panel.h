@@ -3,6 +3,7 @@
 
 #include "ui/context.h"
 #include "ui/steps/instant_note.h"
+#include "ui/steps/trust.h"
 #include "ui/steps/step_card.h"
 
 #include <QLabel>
@@ -47,6 +48,7 @@ private:
     QLabel* m_title = nullptr;
     QLabel* m_partners = nullptr;
     InstantNote* m_instant = nullptr;
+    Trust m_trust;
     QToolButton* m_previous = nullptr;
     QToolButton* m_next = nullptr;
     QScrollArea* m_scroll = nullptr;
