@@ -28,10 +28,6 @@
         <translation>창의 모습을 PNG 파일로 그립니다</translation>
     </message>
     <message>
-        <source>measures what an engine makes of extremes, against what is exact</source>
-        <translation>극단적인 경우에 엔진이 내는 값을 정확한 값과 견줍니다</translation>
-    </message>
-    <message>
         <source>scores a game of ten-pin bowling: frames and totals</source>
         <translation>텐핀 볼링 한 게임의 점수를 계산합니다: 프레임별 점수와 누계</translation>
     </message>
@@ -39,7 +35,7 @@
         <source>the strike map: pins down over offset and entry angle</source>
         <translation>스트라이크 지도: 위치와 입사각에 따라 쓰러지는 핀의 수</translation>
     </message>
-<message>
+    <message>
         <source>measures speed against accuracy, method by method, and what is made of extremes</source>
         <translation>방법마다 속도와 정확도를 재어 견주고, 극단적인 조건에서 얻는 값을 잽니다</translation>
     </message>
@@ -49,6 +45,49 @@
     <message>
         <source>standard output: cannot be written: %1</source>
         <translation>표준 출력: 쓸 수 없습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>EngineChoiceText</name>
+    <message>
+        <source>%1 is the cheapest that stays within %2</source>
+        <translation>오차 %2 안에 드는 방법 가운데 가장 빠른 것: %1</translation>
+    </message>
+    <message>
+        <source>nothing stays within %2; %1 comes nearest</source>
+        <translation>오차 %2 안에 드는 방법이 없습니다. 가장 가까운 것: %1</translation>
+    </message>
+    <message>
+        <source>%1: about %2, too dear to be tried</source>
+        <translation>%1: 약 %2, 너무 오래 걸려 재지 않음</translation>
+    </message>
+    <message>
+        <source>%1: %2, off by at most %3</source>
+        <translation>%1: %2, 가장 큰 오차 %3</translation>
+    </message>
+    <message>
+        <source>measured until %1 s against %2, in %3 s</source>
+        <translation>%1 s까지 %2 계산을 기준으로 쟀습니다. 걸린 시간 %3 s</translation>
+    </message>
+    <message>
+        <source>too many bodies for 113 bits: what is measured is the distance from the next-event engine in double</source>
+        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 잰 값은 배정밀도 정확한 계산과의 차이입니다</translation>
+    </message>
+    <message>
+        <source>with --engine auto: the cheapest engine, step and precision that keeps every body within so many metres of where it should be, found by measuring them on this scene</source>
+        <translation>--engine auto와 함께: 모든 물체의 위치 오차가 이 값[m] 안에 드는 가장 빠른 엔진과 시간 간격, 정밀도를 이 장면에서 재어 고름</translation>
+    </message>
+    <message>
+        <source>only with --engine auto; choose it, or leave this out</source>
+        <translation>--engine auto에서만 쓸 수 있습니다. 그 엔진을 고르거나 이 옵션을 빼십시오</translation>
+    </message>
+    <message>
+        <source>is chosen by --tolerance; leave one of the two out</source>
+        <translation>--tolerance가 고르는 값입니다. 둘 중 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>not until %1 s, which would have taken too long or have left too few digits: what comes later was not measured, so %2 was asked for</source>
+        <translation>%1 s까지는 너무 오래 걸리거나 유효 숫자가 모자라 재지 않았습니다. 그 뒤의 오차를 알 수 없으므로 %2 안에 드는 것만 골랐습니다</translation>
     </message>
 </context>
 <context>
@@ -66,7 +105,7 @@
         <translation>stepped: 두 물체가 서로 다가갈 때만 충돌로 처리합니다</translation>
     </message>
     <message>
-        <source>the engine's numbers; double unless said</source>
+        <source>the engine&apos;s numbers; double unless said</source>
         <translation>계산에 쓸 수의 정밀도. 기본값 double</translation>
     </message>
     <message>
@@ -82,7 +121,7 @@
         <translation>%1 이하여야 합니다. 입력한 값: %2</translation>
     </message>
     <message>
-        <source>event: from contact to contact; swept: by steps, with the instant of each contact within a step; stepped: the paper's loop; auto: event</source>
+        <source>event: from contact to contact; swept: by steps, with the instant of each contact within a step; stepped: the paper&apos;s loop; auto: event</source>
         <translation>event: 다음 충돌의 시각을 바로 계산, swept: 일정한 시간 간격으로 나아가되 그 안에서 충돌하는 순간을 계산, stepped: 논문의 반복 계산, auto: event와 같음</translation>
     </message>
     <message>
@@ -120,16 +159,16 @@
 <context>
     <name>GameText</name>
     <message>
-        <source>must be "thetalane-game", is "%1"</source>
-        <translation>"thetalane-game"이어야 합니다. 적힌 값: "%1"</translation>
+        <source>must be &quot;thetalane-game&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;thetalane-game&quot;이어야 합니다. 적힌 값: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>must be 1, is %1; a newer program wrote this game</source>
         <translation>1이어야 합니다. 적힌 값: %1. 더 새로운 프로그램이 저장한 게임입니다</translation>
     </message>
     <message>
-        <source>must be "traditional" or "current-frame", is "%1"</source>
-        <translation>"traditional"이나 "current-frame"이어야 합니다. 적힌 값: "%1"</translation>
+        <source>must be &quot;traditional&quot; or &quot;current-frame&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;traditional&quot;이나 &quot;current-frame&quot;이어야 합니다. 적힌 값: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>must be 1 to %1 players, are %2</source>
@@ -160,8 +199,8 @@
         <translation>%1번 핀이 목록에 이미 있습니다</translation>
     </message>
     <message>
-        <source>must be %1, as many as "down" names, is %2</source>
-        <translation>"down"에 적힌 핀의 수인 %1이어야 합니다. 적힌 값: %2</translation>
+        <source>must be %1, as many as &quot;down&quot; names, is %2</source>
+        <translation>&quot;down&quot;에 적힌 핀의 수인 %1이어야 합니다. 적힌 값: %2</translation>
     </message>
     <message>
         <source>must be from 0 to %1, the pins that stand, is %2</source>
@@ -249,7 +288,7 @@
         <translation>두 물체가 서로 다가가는 접촉만 계산합니다. 여기서는 그런 접촉이 한 번에 하나씩이었고, 그 결과 다음 두 물체가 다가가게 되어 충격량이 사슬을 따라 차례로 전달됩니다. 다가가는 두 물체가 없을 때까지 회차를 되풀이하며, 운동 에너지는 결코 늘어나지 않습니다.</translation>
     </message>
     <message>
-        <source>The paper's loop goes through the pairs at every step and exchanges each that overlaps by itself, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
+        <source>The paper&apos;s loop goes through the pairs at every step and exchanges each that overlaps by itself, in the order of the list. The outcome depends on that order, and what is symmetric does not stay so; the exact way resolves such contacts together.</source>
         <translation>논문의 반복 계산은 매 시간 간격마다 쌍을 차례로 살펴, 겹친 쌍을 목록의 순서대로 하나씩 따로 계산합니다. 그래서 결과가 순서에 따라 달라지고 대칭이 유지되지 않습니다. 정확한 계산에서는 이런 접촉을 함께 계산합니다.</translation>
     </message>
     <message>
@@ -551,8 +590,8 @@ after %2 s: off by %3 m</source>
         <translation>버전을 출력합니다</translation>
     </message>
     <message>
-        <source>must be ko or en, is "%1"</source>
-        <translation>ko 또는 en이어야 하는데 "%1"입니다</translation>
+        <source>must be ko or en, is &quot;%1&quot;</source>
+        <translation>ko 또는 en이어야 하는데 &quot;%1&quot;입니다</translation>
     </message>
 </context>
 <context>
@@ -578,7 +617,7 @@ after %2 s: off by %3 m</source>
         <translation>지정하지 않으면 0.16</translation>
     </message>
     <message>
-        <source>of the path at the pins, positive to the left, as a right-hander's hook comes in; 0 unless said</source>
+        <source>of the path at the pins, positive to the left, as a right-hander&apos;s hook comes in; 0 unless said</source>
         <translation>핀에 다다를 때 경로의 각도, 오른손잡이의 훅처럼 왼쪽으로 들어가는 방향이 양수. 지정하지 않으면 0</translation>
     </message>
     <message>
@@ -626,8 +665,8 @@ after %2 s: off by %3 m</source>
         <translation>새로 계산하지 않고 이 CSV 파일들에 든 부분을 하나로 합칩니다</translation>
     </message>
     <message>
-        <source>must be A-B with 1 &lt;= A &lt;= B &lt;= %1, is "%2"</source>
-        <translation>1 &lt;= A &lt;= B &lt;= %1인 A-B 꼴이어야 합니다. 입력한 값: "%2"</translation>
+        <source>must be A-B with 1 &lt;= A &lt;= B &lt;= %1, is &quot;%2&quot;</source>
+        <translation>1 &lt;= A &lt;= B &lt;= %1인 A-B 꼴이어야 합니다. 입력한 값: &quot;%2&quot;</translation>
     </message>
     <message>
         <source>has no meaning on the rack; add --scene bowling</source>
@@ -698,27 +737,27 @@ after %2 s: off by %3 m</source>
         <translation>파일 이름이 필요합니다</translation>
     </message>
     <message>
-        <source>must end in .png, is "%1"</source>
-        <translation>.png로 끝나야 합니다. 입력한 값: "%1"</translation>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 합니다. 입력한 값: &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
     <name>MapWords</name>
     <message>
-        <source>must be a number, is "%1"</source>
-        <translation>숫자여야 합니다. 적힌 값: "%1"</translation>
+        <source>must be a number, is &quot;%1&quot;</source>
+        <translation>숫자여야 합니다. 적힌 값: &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>must be %1, is "%2"</source>
-        <translation>%1이어야 합니다. 적힌 값: "%2"</translation>
+        <source>must be %1, is &quot;%2&quot;</source>
+        <translation>%1이어야 합니다. 적힌 값: &quot;%2&quot;</translation>
     </message>
     <message>
         <source>is %1, but %2 in %3; the parts of one map are made with the same settings</source>
         <translation>값이 %1인데 %3에서는 %2입니다. 한 지도의 부분들은 같은 설정으로 만들어야 합니다</translation>
     </message>
     <message>
-        <source>is no part of a strike map; line 1 must be "%1", is "%2"</source>
-        <translation>스트라이크 지도의 부분이 아닙니다. 1행은 "%1"이어야 하는데 "%2"입니다</translation>
+        <source>is no part of a strike map; line 1 must be &quot;%1&quot;, is &quot;%2&quot;</source>
+        <translation>스트라이크 지도의 부분이 아닙니다. 1행은 &quot;%1&quot;이어야 하는데 &quot;%2&quot;입니다</translation>
     </message>
     <message>
         <source>must have %1 fields, has %2</source>
@@ -778,6 +817,65 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>MethodText</name>
+    <message>
+        <source>without %1</source>
+        <translation>%1 없이</translation>
+    </message>
+    <message>
+        <source>float (24 bits)</source>
+        <translation>단정밀도 (24비트)</translation>
+    </message>
+    <message>
+        <source>double (53 bits)</source>
+        <translation>배정밀도 (53비트)</translation>
+    </message>
+    <message>
+        <source>quad (113 bits)</source>
+        <translation>4배 정밀도 (113비트)</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>마찰</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>oil</source>
+        <translation>오일</translation>
+    </message>
+    <message>
+        <source>loss at the walls (e = 1)</source>
+        <translation>벽의 에너지 손실 (e = 1)</translation>
+    </message>
+    <message>
+        <source>the rule of ties</source>
+        <translation>동시 충돌 규칙</translation>
+    </message>
+    <message>
+        <source>next event</source>
+        <translation>정확한 계산 (다음 충돌)</translation>
+    </message>
+    <message>
+        <source>swept, one pass</source>
+        <translation>연속 충돌 검사, 탐색 1회</translation>
+    </message>
+    <message>
+        <source>swept, %1 passes</source>
+        <translation>연속 충돌 검사, 탐색 %1회</translation>
+    </message>
+    <message>
+        <source>paper&apos;s loop, approaching only</source>
+        <translation>논문의 반복 계산, 다가갈 때만</translation>
+    </message>
+    <message>
+        <source>paper&apos;s loop</source>
+        <translation>논문의 반복 계산</translation>
+    </message>
+</context>
+<context>
     <name>NoWindow</name>
     <message>
         <source>this program was built without the window; thetalane --help lists the commands</source>
@@ -815,8 +913,8 @@ after %2 s: off by %3 m</source>
         <translation>%1보다 크고 %2보다 작아야 하는데 %3입니다</translation>
     </message>
     <message>
-        <source>did you mean "%1"?</source>
-        <translation>혹시 "%1"입니까?</translation>
+        <source>did you mean &quot;%1&quot;?</source>
+        <translation>혹시 &quot;%1&quot;입니까?</translation>
     </message>
     <message>
         <source>%1 is missing; the call is: thetalane %2</source>
@@ -843,23 +941,23 @@ after %2 s: off by %3 m</source>
         <translation>%1: 그런 옵션은 없습니다. thetalane %2--help로 옵션 목록을 볼 수 있습니다</translation>
     </message>
     <message>
-        <source>must be a number, is "%1"</source>
-        <translation>수여야 하는데 "%1"입니다</translation>
+        <source>must be a number, is &quot;%1&quot;</source>
+        <translation>수여야 하는데 &quot;%1&quot;입니다</translation>
     </message>
     <message>
-        <source>must be a whole number greater than 0, is "%1"</source>
-        <translation>0보다 큰 정수여야 하는데 "%1"입니다</translation>
+        <source>must be a whole number greater than 0, is &quot;%1&quot;</source>
+        <translation>0보다 큰 정수여야 하는데 &quot;%1&quot;입니다</translation>
     </message>
     <message>
-        <source>must be one of %1, is "%2"</source>
-        <translation>%1 가운데 하나여야 하는데 "%2"입니다</translation>
+        <source>must be one of %1, is &quot;%2&quot;</source>
+        <translation>%1 가운데 하나여야 하는데 &quot;%2&quot;입니다</translation>
     </message>
     <message>
         <source>Usage: thetalane %1</source>
         <translation>사용법: thetalane %1</translation>
     </message>
     <message>
-        <source>the language of what is printed; the system's unless said</source>
+        <source>the language of what is printed; the system&apos;s unless said</source>
         <translation>출력 언어. 기본값은 시스템의 언어</translation>
     </message>
     <message>
@@ -870,8 +968,8 @@ after %2 s: off by %3 m</source>
 <context>
     <name>PictureCommand</name>
     <message>
-        <source>must be WIDTHxHEIGHT, each from %1 to %2, is "%3"</source>
-        <translation>가로x세로로 쓰고 각각 %1부터 %2까지여야 하는데 "%3"입니다</translation>
+        <source>must be WIDTHxHEIGHT, each from %1 to %2, is &quot;%3&quot;</source>
+        <translation>가로x세로로 쓰고 각각 %1부터 %2까지여야 하는데 &quot;%3&quot;입니다</translation>
     </message>
     <message>
         <source>is the stage of a collision; say which with --collision</source>
@@ -886,8 +984,8 @@ after %2 s: off by %3 m</source>
         <translation>빠졌습니다. 그림을 저장할 곳을 FILE.png로 알려 주십시오</translation>
     </message>
     <message>
-        <source>must end in .png, is "%1"</source>
-        <translation>.png로 끝나야 하는데 "%1"입니다</translation>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 하는데 &quot;%1&quot;입니다</translation>
     </message>
     <message>
         <source>nothing collides in this scene</source>
@@ -1190,8 +1288,8 @@ after %2 s: off by %3 m</source>
         <translation>두 수 [x, y]여야 합니다</translation>
     </message>
     <message>
-        <source>must be "ball" or "pin"</source>
-        <translation>"ball" 또는 "pin"이어야 합니다</translation>
+        <source>must be &quot;ball&quot; or &quot;pin&quot;</source>
+        <translation>&quot;ball&quot; 또는 &quot;pin&quot;이어야 합니다</translation>
     </message>
     <message>
         <source>is there twice; an object may have a key only once</source>
@@ -1218,8 +1316,8 @@ after %2 s: off by %3 m</source>
         <translation>비워 둘 수 없습니다</translation>
     </message>
     <message>
-        <source>"%1" is taken by an earlier body; every id must be unique</source>
-        <translation>"%1" id는 앞의 물체가 이미 쓰고 있습니다. id는 서로 달라야 합니다</translation>
+        <source>&quot;%1&quot; is taken by an earlier body; every id must be unique</source>
+        <translation>&quot;%1&quot; id는 앞의 물체가 이미 쓰고 있습니다. id는 서로 달라야 합니다</translation>
     </message>
     <message>
         <source>must hold at least one body</source>
@@ -1258,12 +1356,12 @@ after %2 s: off by %3 m</source>
         <translation>알 수 없는 키입니다. 지우십시오</translation>
     </message>
     <message>
-        <source>is not a known key; did you mean "%1"?</source>
-        <translation>알 수 없는 키입니다. 혹시 "%1"입니까?</translation>
+        <source>is not a known key; did you mean &quot;%1&quot;?</source>
+        <translation>알 수 없는 키입니다. 혹시 &quot;%1&quot;입니까?</translation>
     </message>
     <message>
-        <source>must be "thetalane-scene", is "%1"</source>
-        <translation>"thetalane-scene"이어야 하는데 "%1"입니다</translation>
+        <source>must be &quot;thetalane-scene&quot;, is &quot;%1&quot;</source>
+        <translation>&quot;thetalane-scene&quot;이어야 하는데 &quot;%1&quot;입니다</translation>
     </message>
     <message>
         <source>must be 1, is %1</source>
@@ -1330,8 +1428,8 @@ after %2 s: off by %3 m</source>
         <translation>%1보다 크고 %2 이하여야 하는데 %3입니다</translation>
     </message>
     <message>
-        <source>"%1" begins with "%2", which names the walls in a run; choose another id</source>
-        <translation>"%1" id는 쓸 수 없습니다. "%2"은 실행 결과에서 벽을 가리키는 말입니다. 다른 id를 고르십시오</translation>
+        <source>&quot;%1&quot; begins with &quot;%2&quot;, which names the walls in a run; choose another id</source>
+        <translation>&quot;%1&quot; id는 쓸 수 없습니다. &quot;%2&quot;은 실행 결과에서 벽을 가리키는 말입니다. 다른 id를 고르십시오</translation>
     </message>
     <message>
         <source>must be greater than %1, where the oil begins, is %2</source>
@@ -1412,8 +1510,8 @@ after %2 s: off by %3 m</source>
         <translation>-(없음)나 F(파울), /(스페어)</translation>
     </message>
     <message>
-        <source>"%1" is no roll; rolls are X, /, -, F and the digits 1 to 9</source>
-        <translation>"%1": 투구 기호가 아닙니다. X, /, -, F와 1부터 9까지의 숫자를 씁니다</translation>
+        <source>&quot;%1&quot; is no roll; rolls are X, /, -, F and the digits 1 to 9</source>
+        <translation>&quot;%1&quot;: 투구 기호가 아닙니다. X, /, -, F와 1부터 9까지의 숫자를 씁니다</translation>
     </message>
     <message>
         <source>0 is no roll; no pins are written -, all ten X</source>
@@ -1440,8 +1538,8 @@ after %2 s: off by %3 m</source>
         <translation>두 번째 투구가 없습니다. %1 다음에는 빈칸 없이 %2 중 하나를 써야 합니다</translation>
     </message>
     <message>
-        <source>the frame is over before "%1" ends; frames are separated by spaces</source>
-        <translation>"%1"에서 프레임이 먼저 끝납니다. 프레임은 빈칸으로 나눕니다</translation>
+        <source>the frame is over before &quot;%1&quot; ends; frames are separated by spaces</source>
+        <translation>&quot;%1&quot;에서 프레임이 먼저 끝납니다. 프레임은 빈칸으로 나눕니다</translation>
     </message>
     <message>
         <source>%1 is one roll too many: the game is over; current-frame scoring has no fill balls</source>
@@ -1570,10 +1668,6 @@ after %2 s: off by %3 m</source>
         <translation>아니오</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다: %2</translation>
-    </message>
-    <message>
         <source>Within their bounds: %1 of %2</source>
         <translation>한계 안에 든 것: %2개 가운데 %1개</translation>
     </message>
@@ -1582,26 +1676,14 @@ after %2 s: off by %3 m</source>
         <translation>한계를 벗어난 것: %1</translation>
     </message>
     <message>
-        <source>extremes: masses, radii, speeds, places and counts at the edge of what numbers hold, each with its bound</source>
-        <translation>extremes: 수로 나타낼 수 있는 끝자락의 질량, 반지름, 속력, 위치, 횟수를 각각의 한계와 함께 봅니다</translation>
-    </message>
-    <message>
-        <source>ends the longest runs at 100000 collisions, not 10000000</source>
-        <translation>가장 긴 계산을 충돌 10000000번이 아니라 100000번에서 끝냅니다</translation>
-    </message>
-    <message>
         <source>writes the table to a file as well</source>
         <translation>표를 파일에도 씁니다</translation>
-    </message>
-    <message>
-        <source>%1: there is no such study; only extremes is there yet</source>
-        <translation>%1: 그런 연구는 없습니다. 아직 extremes만 있습니다</translation>
     </message>
     <message>
         <source>--csv: needs the name of a file</source>
         <translation>--csv: 파일 이름이 필요합니다</translation>
     </message>
-<message>
+    <message>
         <source>throws: thousands of throws at the rack, by every method; a SCENE: that one; extremes: masses, radii, speeds, places and counts at the edge of what numbers hold, each with its bound</source>
         <translation>throws: 핀 열 개를 향한 수천 번의 투구를 모든 방법으로 계산, SCENE: 그 장면만 계산, extremes: 수가 담을 수 있는 한계의 질량, 반지름, 속력, 위치, 충돌 횟수와 그 오차의 한계</translation>
     </message>
@@ -1650,12 +1732,12 @@ after %2 s: off by %3 m</source>
         <translation>%1 이하여야 합니다. 입력한 값: %2</translation>
     </message>
     <message>
-        <source>must be a whole number, is "%1"</source>
-        <translation>0 이상의 정수여야 합니다. 입력한 값: "%1"</translation>
+        <source>must be a whole number, is &quot;%1&quot;</source>
+        <translation>0 이상의 정수여야 합니다. 입력한 값: &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>must end in .png, is "%1"</source>
-        <translation>.png로 끝나야 합니다. 입력한 값: "%1"</translation>
+        <source>must end in .png, is &quot;%1&quot;</source>
+        <translation>.png로 끝나야 합니다. 입력한 값: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>%1 throws on the whole lane, seed %2</source>
@@ -1664,6 +1746,198 @@ after %2 s: off by %3 m</source>
     <message>
         <source>%1 throws at the rack, seed %2</source>
         <translation>핀 열 개를 향한 투구 %1번, 씨앗값 %2</translation>
+    </message>
+</context>
+<context>
+    <name>StudyMethodsText</name>
+    <message>
+        <source>the truth …</source>
+        <translation>기준 계산 …</translation>
+    </message>
+    <message>
+        <source>costs: round %1 of %2</source>
+        <translation>계산 시간: %2번 가운데 %1번째</translation>
+    </message>
+    <message>
+        <source>errors: %1 of %2 cases</source>
+        <translation>오차: 경우 %2개 가운데 %1개</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: 쓸 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>cancelled; what was measured by then has been kept</source>
+        <translation>도중에 멈추었습니다. 그때까지 잰 것은 남겨 두었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlotText</name>
+    <message>
+        <source>cost %1 · error %2 m · same touched %3 %</source>
+        <translation>계산 시간 %1 · 오차 %2 m · 같은 핀에 닿음 %3 %</translation>
+    </message>
+    <message>
+        <source>cost of a throw [µs]</source>
+        <translation>투구 한 번의 계산 시간 [µs]</translation>
+    </message>
+    <message>
+        <source>cost of a run [µs]</source>
+        <translation>한 번의 계산 시간 [µs]</translation>
+    </message>
+    <message>
+        <source>position error at the end, median [m]</source>
+        <translation>끝난 때의 위치 오차, 중앙값 [m]</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReportText</name>
+    <message>
+        <source>about %1</source>
+        <translation>약 %1</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>계산할 수 없음: %1</translation>
+    </message>
+    <message>
+        <source>too slow, left out</source>
+        <translation>너무 느려 제외</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>재지 못함</translation>
+    </message>
+    <message>
+        <source>the truth</source>
+        <translation>기준</translation>
+    </message>
+    <message>
+        <source>Truth: %1; studied until %2 s.</source>
+        <translation>기준: %1. %2 s까지 쟀습니다.</translation>
+    </message>
+    <message>
+        <source>Too many bodies for 113 bits: the truth is the next-event run itself, and has its errors.</source>
+        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 기준은 배정밀도 정확한 계산 자체이며, 그 오차를 그대로 지닙니다.</translation>
+    </message>
+    <message>
+        <source>Digits that chaos leaves of the truth at the last collision, at least: %1</source>
+        <translation>마지막 충돌에서 기준 계산에 남은 유효 숫자(혼돈을 거친 뒤): 적어도 %1자리</translation>
+    </message>
+    <message>
+        <source>Digits left of %1: said within one digit of the truth at %2 of %3 collisions.</source>
+        <translation>%1의 남은 자릿수: 충돌 %3번 가운데 %2에서 실제와 한 자리 안으로 맞았습니다.</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 of %2 cases are in this table.</source>
+        <translation>도중에 멈춤: 이 표에는 경우 %2개 가운데 %1개가 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>a throw</source>
+        <translation>투구 한 번</translation>
+    </message>
+    <message>
+        <source>a run</source>
+        <translation>계산 한 번</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>퍼짐</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>비</translation>
+    </message>
+    <message>
+        <source>error [m]</source>
+        <translation>오차 [m]</translation>
+    </message>
+    <message>
+        <source>rms [m]</source>
+        <translation>제곱 평균 제곱근 [m]</translation>
+    </message>
+    <message>
+        <source>same touched</source>
+        <translation>같은 핀에 닿음</translation>
+    </message>
+    <message>
+        <source>first difference</source>
+        <translation>처음 달라진 충돌</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>에너지</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>놓친 충돌</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <translation>되풀이한 충돌</translation>
+    </message>
+    <message>
+        <source>collisions</source>
+        <translation>충돌</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>뺀 것</translation>
+    </message>
+    <message>
+        <source>its share of the cost</source>
+        <translation>시간에서 차지하는 몫</translation>
+    </message>
+    <message>
+        <source>other pins down</source>
+        <translation>쓰러진 핀이 다름</translation>
+    </message>
+    <message>
+        <source>other pins touched</source>
+        <translation>닿은 핀이 다름</translation>
+    </message>
+    <message>
+        <source>off by [m]</source>
+        <translation>위치 차이 [m]</translation>
+    </message>
+    <message>
+        <source>nothing: all models</source>
+        <translation>없음: 모두 계산</translation>
+    </message>
+    <message>
+        <source>Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and the ratio to the first row.</source>
+        <translation>시간: 코어 하나에서 방법들을 번갈아 잰 프로세서 시간. 중앙값, 잰 값의 가운데 절반이 차지하는 폭, 첫 행에 대한 비.</translation>
+    </message>
+    <message>
+        <source>Error: rms over the bodies of the distance from where they should be at the end; median and rms over the cases.</source>
+        <translation>오차: 끝난 때에 물체들이 있어야 할 곳에서 벗어난 거리의 제곱 평균 제곱근. 모든 경우의 중앙값과 제곱 평균 제곱근.</translation>
+    </message>
+    <message>
+        <source>First difference: the contact that is the first to differ, and its time; median of the cases that differ.</source>
+        <translation>처음 달라진 충돌: 몇 번째 충돌부터 다르며 그 시각이 언제인지. 달라진 경우의 중앙값.</translation>
+    </message>
+    <message>
+        <source>Energy: off at the end, of the energy at the start. Missed, repeated: contacts, a case.</source>
+        <translation>에너지: 끝난 때의 차이를 처음 에너지로 나눈 값. 놓친 충돌과 되풀이한 충돌: 한 경우의 횟수.</translation>
+    </message>
+    <message>
+        <source>Until %1 s was asked for: the truth does not get there in the time allowed, or chaos has eaten its digits by then.</source>
+        <translation>%1 s까지가 요청되었으나, 기준 계산이 정해진 시간 안에 거기까지 이르지 못하거나 그 전에 혼돈으로 유효 숫자를 잃습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTableText</name>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: 읽을 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>%1: is not a table that thetalane study --csv wrote</source>
+        <translation>%1: thetalane study --csv가 쓴 표가 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -1916,7 +2190,7 @@ after %2 s: off by %3 m</source>
         <translation>레인 방향에서 잰 각도, 오른쪽이 양수. 기본값 1.5</translation>
     </message>
     <message>
-        <source>of the ball's centre at the foul line, from the middle, positive to the right; -0.41 unless said</source>
+        <source>of the ball&apos;s centre at the foul line, from the middle, positive to the right; -0.41 unless said</source>
         <translation>파울 라인에서 공의 중심 위치, 가운데에서 오른쪽이 양수. 기본값 -0.41</translation>
     </message>
     <message>
@@ -2066,11 +2340,11 @@ after %2 s: off by %3 m</source>
         <translation>확인</translation>
     </message>
     <message>
-        <source>These two were already moving apart; the paper's loop exchanges every overlapping pair all the same, and so drives them back together.</source>
+        <source>These two were already moving apart; the paper&apos;s loop exchanges every overlapping pair all the same, and so drives them back together.</source>
         <translation>두 물체는 이미 멀어지고 있었습니다. 그런데도 논문의 반복 계산은 겹친 쌍을 모두 충돌로 처리하므로 두 물체를 다시 가까워지게 합니다.</translation>
     </message>
     <message>
-        <source>The wall takes up the impulse, so the body's own momentum changes; what must hold is the ratio e of the speeds along x′.</source>
+        <source>The wall takes up the impulse, so the body&apos;s own momentum changes; what must hold is the ratio e of the speeds along x′.</source>
         <translation>벽에서 충격량을 받으므로 물체의 운동량은 변합니다. 여기서는 x′ 방향 속력의 비가 e인지 확인합니다.</translation>
     </message>
     <message>
@@ -2307,15 +2581,15 @@ after %2 s: off by %3 m</source>
         <translation>정확한 계산 (다음 충돌)</translation>
     </message>
     <message>
-        <source>Paper's loop, %1, approaching only</source>
+        <source>Paper&apos;s loop, %1, approaching only</source>
         <translation>논문의 반복 계산, %1, 다가갈 때만</translation>
     </message>
     <message>
-        <source>Paper's loop, %1</source>
+        <source>Paper&apos;s loop, %1</source>
         <translation>논문의 반복 계산, %1</translation>
     </message>
     <message>
-        <source>How contacts are found: exactly, from one to the next; by the paper's loop, which moves everything by a fixed step and then tests for overlap; or by swept steps, which look for the instant of contact within a step, but see what a body hits next only in the step after</source>
+        <source>How contacts are found: exactly, from one to the next; by the paper&apos;s loop, which moves everything by a fixed step and then tests for overlap; or by swept steps, which look for the instant of contact within a step, but see what a body hits next only in the step after</source>
         <translation>접촉을 찾는 방식. 다음 충돌의 시각을 바로 구하거나, 논문의 반복 계산처럼 일정한 시간 간격마다 물체를 옮긴 뒤 겹쳤는지 검사합니다. 연속 충돌 검사는 시간 간격 안에서 충돌하는 순간을 구하지만, 충돌한 물체가 이어서 무엇에 부딪히는지는 다음 간격에서야 살핍니다.</translation>
     </message>
     <message>
@@ -2760,7 +3034,7 @@ after %2 s: off by %3 m</source>
         <translation>파일 열기…</translation>
     </message>
     <message>
-        <source>A scene of one's own</source>
+        <source>A scene of one&apos;s own</source>
         <translation>직접 만든 장면</translation>
     </message>
     <message>
@@ -2882,6 +3156,14 @@ after %2 s: off by %3 m</source>
         <source>Collision %1</source>
         <translation>충돌 %1</translation>
     </message>
+    <message>
+        <source>Digits left: so many decimal digits of this collision&apos;s triangle and velocities are right. Every collision makes the rounding errors before it grow.</source>
+        <translation>남은 자릿수: 이 충돌의 삼각형과 속도에서 맞는 십진 자릿수입니다. 충돌할 때마다 그전의 반올림 오차가 커집니다.</translation>
+    </message>
+    <message>
+        <source>digits left: %1</source>
+        <translation>남은 자릿수: %1</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::ThrowPanel</name>
@@ -2914,7 +3196,7 @@ after %2 s: off by %3 m</source>
         <translation>위치</translation>
     </message>
     <message>
-        <source>The ball's centre at the foul line, from the middle, positive to the right; boards are counted from the right</source>
+        <source>The ball&apos;s centre at the foul line, from the middle, positive to the right; boards are counted from the right</source>
         <translation>파울 라인에서 볼링공 중심의 위치. 레인 가운데에서 재며 오른쪽이 양의 방향입니다. 보드는 오른쪽부터 셉니다.</translation>
     </message>
     <message>
@@ -3104,300 +3386,6 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Show everything</source>
         <translation>전체 보기</translation>
-    </message>
-</context>
-<context>
-    <name>EngineChoiceText</name>
-    <message>
-        <source>%1 is the cheapest that stays within %2</source>
-        <translation>오차 %2 안에 드는 방법 가운데 가장 빠른 것: %1</translation>
-    </message>
-    <message>
-        <source>nothing stays within %2; %1 comes nearest</source>
-        <translation>오차 %2 안에 드는 방법이 없습니다. 가장 가까운 것: %1</translation>
-    </message>
-    <message>
-        <source>%1: about %2, too dear to be tried</source>
-        <translation>%1: 약 %2, 너무 오래 걸려 재지 않음</translation>
-    </message>
-    <message>
-        <source>%1: %2, off by at most %3</source>
-        <translation>%1: %2, 가장 큰 오차 %3</translation>
-    </message>
-    <message>
-        <source>measured until %1 s against %2, in %3 s</source>
-        <translation>%1 s까지 %2 계산을 기준으로 쟀습니다. 걸린 시간 %3 s</translation>
-    </message>
-    <message>
-        <source>too many bodies for 113 bits: what is measured is the distance from the next-event engine in double</source>
-        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 잰 값은 배정밀도 정확한 계산과의 차이입니다</translation>
-    </message>
-    <message>
-        <source>with --engine auto: the cheapest engine, step and precision that keeps every body within so many metres of where it should be, found by measuring them on this scene</source>
-        <translation>--engine auto와 함께: 모든 물체의 위치 오차가 이 값[m] 안에 드는 가장 빠른 엔진과 시간 간격, 정밀도를 이 장면에서 재어 고름</translation>
-    </message>
-    <message>
-        <source>only with --engine auto; choose it, or leave this out</source>
-        <translation>--engine auto에서만 쓸 수 있습니다. 그 엔진을 고르거나 이 옵션을 빼십시오</translation>
-    </message>
-    <message>
-        <source>is chosen by --tolerance; leave one of the two out</source>
-        <translation>--tolerance가 고르는 값입니다. 둘 중 하나를 빼십시오</translation>
-    </message>
-    <message>
-        <source>not until %1 s, which would have taken too long or have left too few digits: what comes later was not measured, so %2 was asked for</source>
-        <translation>%1 s까지는 너무 오래 걸리거나 유효 숫자가 모자라 재지 않았습니다. 그 뒤의 오차를 알 수 없으므로 %2 안에 드는 것만 골랐습니다</translation>
-    </message>
-</context>
-<context>
-    <name>MethodText</name>
-    <message>
-        <source>without %1</source>
-        <translation>%1 없이</translation>
-    </message>
-    <message>
-        <source>float (24 bits)</source>
-        <translation>단정밀도 (24비트)</translation>
-    </message>
-    <message>
-        <source>double (53 bits)</source>
-        <translation>배정밀도 (53비트)</translation>
-    </message>
-    <message>
-        <source>quad (113 bits)</source>
-        <translation>4배 정밀도 (113비트)</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>마찰</translation>
-    </message>
-    <message>
-        <source>spin</source>
-        <translation>회전</translation>
-    </message>
-    <message>
-        <source>oil</source>
-        <translation>오일</translation>
-    </message>
-    <message>
-        <source>loss at the walls (e = 1)</source>
-        <translation>벽의 에너지 손실 (e = 1)</translation>
-    </message>
-    <message>
-        <source>the rule of ties</source>
-        <translation>동시 충돌 규칙</translation>
-    </message>
-    <message>
-        <source>next event</source>
-        <translation>정확한 계산 (다음 충돌)</translation>
-    </message>
-    <message>
-        <source>swept, one pass</source>
-        <translation>연속 충돌 검사, 탐색 1회</translation>
-    </message>
-    <message>
-        <source>swept, %1 passes</source>
-        <translation>연속 충돌 검사, 탐색 %1회</translation>
-    </message>
-    <message>
-        <source>paper's loop, approaching only</source>
-        <translation>논문의 반복 계산, 다가갈 때만</translation>
-    </message>
-    <message>
-        <source>paper's loop</source>
-        <translation>논문의 반복 계산</translation>
-    </message>
-</context>
-<context>
-    <name>StudyMethodsText</name>
-    <message>
-        <source>the truth …</source>
-        <translation>기준 계산 …</translation>
-    </message>
-    <message>
-        <source>costs: round %1 of %2</source>
-        <translation>계산 시간: %2번 가운데 %1번째</translation>
-    </message>
-    <message>
-        <source>errors: %1 of %2 cases</source>
-        <translation>오차: 경우 %2개 가운데 %1개</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다: %2</translation>
-    </message>
-    <message>
-        <source>cancelled; what was measured by then has been kept</source>
-        <translation>도중에 멈추었습니다. 그때까지 잰 것은 남겨 두었습니다</translation>
-    </message>
-</context>
-<context>
-    <name>StudyPlotText</name>
-    <message>
-        <source>cost %1 · error %2 m · same touched %3 %</source>
-        <translation>계산 시간 %1 · 오차 %2 m · 같은 핀에 닿음 %3 %</translation>
-    </message>
-    <message>
-        <source>cost of a throw [µs]</source>
-        <translation>투구 한 번의 계산 시간 [µs]</translation>
-    </message>
-    <message>
-        <source>cost of a run [µs]</source>
-        <translation>한 번의 계산 시간 [µs]</translation>
-    </message>
-    <message>
-        <source>position error at the end, median [m]</source>
-        <translation>끝난 때의 위치 오차, 중앙값 [m]</translation>
-    </message>
-</context>
-<context>
-    <name>StudyReportText</name>
-    <message>
-        <source>about %1</source>
-        <translation>약 %1</translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
-        <translation>계산할 수 없음: %1</translation>
-    </message>
-    <message>
-        <source>too slow, left out</source>
-        <translation>너무 느려 제외</translation>
-    </message>
-    <message>
-        <source>not reached</source>
-        <translation>재지 못함</translation>
-    </message>
-    <message>
-        <source>the truth</source>
-        <translation>기준</translation>
-    </message>
-    <message>
-        <source>Truth: %1; studied until %2 s.</source>
-        <translation>기준: %1. %2 s까지 쟀습니다.</translation>
-    </message>
-    <message>
-        <source>Too many bodies for 113 bits: the truth is the next-event run itself, and has its errors.</source>
-        <translation>물체가 너무 많아 113비트로는 계산하지 않았습니다. 기준은 배정밀도 정확한 계산 자체이며, 그 오차를 그대로 지닙니다.</translation>
-    </message>
-    <message>
-        <source>Digits that chaos leaves of the truth at the last collision, at least: %1</source>
-        <translation>마지막 충돌에서 기준 계산에 남은 유효 숫자(혼돈을 거친 뒤): 적어도 %1자리</translation>
-    </message>
-    <message>
-        <source>Digits left of %1: said within one digit of the truth at %2 of %3 collisions.</source>
-        <translation>%1의 남은 자릿수: 충돌 %3번 가운데 %2에서 실제와 한 자리 안으로 맞았습니다.</translation>
-    </message>
-    <message>
-        <source>Cancelled: %1 of %2 cases are in this table.</source>
-        <translation>도중에 멈춤: 이 표에는 경우 %2개 가운데 %1개가 들어 있습니다.</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>방법</translation>
-    </message>
-    <message>
-        <source>a throw</source>
-        <translation>투구 한 번</translation>
-    </message>
-    <message>
-        <source>a run</source>
-        <translation>계산 한 번</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>퍼짐</translation>
-    </message>
-    <message>
-        <source>ratio</source>
-        <translation>비</translation>
-    </message>
-    <message>
-        <source>error [m]</source>
-        <translation>오차 [m]</translation>
-    </message>
-    <message>
-        <source>rms [m]</source>
-        <translation>제곱 평균 제곱근 [m]</translation>
-    </message>
-    <message>
-        <source>same touched</source>
-        <translation>같은 핀에 닿음</translation>
-    </message>
-    <message>
-        <source>first difference</source>
-        <translation>처음 달라진 충돌</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>에너지</translation>
-    </message>
-    <message>
-        <source>missed</source>
-        <translation>놓친 충돌</translation>
-    </message>
-    <message>
-        <source>repeated</source>
-        <translation>되풀이한 충돌</translation>
-    </message>
-    <message>
-        <source>collisions</source>
-        <translation>충돌</translation>
-    </message>
-    <message>
-        <source>Left out</source>
-        <translation>뺀 것</translation>
-    </message>
-    <message>
-        <source>its share of the cost</source>
-        <translation>시간에서 차지하는 몫</translation>
-    </message>
-    <message>
-        <source>other pins down</source>
-        <translation>쓰러진 핀이 다름</translation>
-    </message>
-    <message>
-        <source>other pins touched</source>
-        <translation>닿은 핀이 다름</translation>
-    </message>
-    <message>
-        <source>off by [m]</source>
-        <translation>위치 차이 [m]</translation>
-    </message>
-    <message>
-        <source>nothing: all models</source>
-        <translation>없음: 모두 계산</translation>
-    </message>
-    <message>
-        <source>Cost: processor time on one core, the methods in turn; median, the middle half of the rounds, and the ratio to the first row.</source>
-        <translation>시간: 코어 하나에서 방법들을 번갈아 잰 프로세서 시간. 중앙값, 잰 값의 가운데 절반이 차지하는 폭, 첫 행에 대한 비.</translation>
-    </message>
-    <message>
-        <source>Error: rms over the bodies of the distance from where they should be at the end; median and rms over the cases.</source>
-        <translation>오차: 끝난 때에 물체들이 있어야 할 곳에서 벗어난 거리의 제곱 평균 제곱근. 모든 경우의 중앙값과 제곱 평균 제곱근.</translation>
-    </message>
-    <message>
-        <source>First difference: the contact that is the first to differ, and its time; median of the cases that differ.</source>
-        <translation>처음 달라진 충돌: 몇 번째 충돌부터 다르며 그 시각이 언제인지. 달라진 경우의 중앙값.</translation>
-    </message>
-    <message>
-        <source>Energy: off at the end, of the energy at the start. Missed, repeated: contacts, a case.</source>
-        <translation>에너지: 끝난 때의 차이를 처음 에너지로 나눈 값. 놓친 충돌과 되풀이한 충돌: 한 경우의 횟수.</translation>
-    </message>
-    <message>
-        <source>Until %1 s was asked for: the truth does not get there in the time allowed, or chaos has eaten its digits by then.</source>
-        <translation>%1 s까지가 요청되었으나, 기준 계산이 정해진 시간 안에 거기까지 이르지 못하거나 그 전에 혼돈으로 유효 숫자를 잃습니다.</translation>
-    </message>
-</context>
-<context>
-    <name>StudyTableText</name>
-    <message>
-        <source>%1: cannot be read: %2</source>
-        <translation>%1: 읽을 수 없습니다: %2</translation>
-    </message>
-    <message>
-        <source>%1: is not a table that thetalane study --csv wrote</source>
-        <translation>%1: thetalane study --csv가 쓴 표가 아닙니다</translation>
     </message>
 </context>
 </TS>
