@@ -8,12 +8,10 @@
 namespace thetalane {
 namespace {
 
-// From how many bodies on the cells are cheaper. thetalane_bench --only search, ns a collision in a gas of
-// packing 0.4 (g++ 12 -O3, a busy 2.5 GHz Xeon, the least of 7 in turn), all pairs : cells:
-//     8 bodies 389 : 457,  12: 533 : 503,  16: 651 : 520,  20: 764 : 536,  32: 1108 : 577,  100: 2878 : 637.
-// Above the tie, as there are scenes where less happens than in a gas; a rack and its ball stay with all
-// pairs.
-constexpr std::size_t fewestForCells = 20;
+// Up to how many bodies columns are cheaper than cells. thetalane_bench --only search, ns a collision in a gas
+// of packing 0.4 (g++ 12 -O3, a 2.5 GHz Xeon, the least of 9 in turn), few : cells:
+//     4 bodies 170 : 345,  8: 234 : 427,  16: 319 : 453,  24: 394 : 482,  28: 429 : 473,  32: 463 : 487.
+constexpr std::size_t mostWithoutCells = FewPairs<double, false>::most;
 
 // `use` is called with the engine type that the scene needs.
 template <class Real, template <class, bool> class Search, class Use>
@@ -38,7 +36,7 @@ template <class Real, class Use> auto withSearch(const Scene& scene, SearchKind 
     if (requirementsOf(scene).friction)
         return onFloor<Real>(scene, use);
     if (search == SearchKind::ByCount)
-        search = scene.bodies.size() < fewestForCells ? SearchKind::Few : SearchKind::Cells;
+        search = scene.bodies.size() <= mostWithoutCells ? SearchKind::Few : SearchKind::Cells;
     if (search == SearchKind::Few)
         return withModels<Real, FewPairs>(scene, use);
     if (search == SearchKind::Cells)
