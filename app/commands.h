@@ -23,8 +23,9 @@ struct Call {
 
 struct Command {
     const char* name;
-    const char* summary;     // in English; commandSummary() translates
-    int (*run)(const Call&); // null: picture, map and study, which may be drawn by an application of their own
+    const char* summary; // in English; commandSummary() translates
+    int (*run)(
+        const Call&); // null: picture, map and study, which may be drawn by an application of their own
 };
 
 // In the order of --help.

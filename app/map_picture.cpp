@@ -1,32 +1,22 @@
 #include "app/map_picture.h"
 
-#include "app/console.h"
-#include "app/save_file.h"
+#include "app/off_screen.h"
 #include "ui/plot/strike_map_figure.h"
 
-#include <QBuffer>
 #include <QFont>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
-
-#include <new>
 
 namespace thetalane {
 namespace {
 
 constexpr QSize pictureSize(1380, 1020);
 
-// Qt may have something to say about the session or fonts; standard error is for one line of ours.
-void silent(QtMsgType, const QMessageLogContext&, const QString&) {}
-
 } // namespace
 
 int drawMapPicture(int& argc, char** argv, const MapPictureRequest& request) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    for (const char* ofTheScreen : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"})
-        qunsetenv(ofTheScreen); // the size is one in pixels
-    qInstallMessageHandler(silent);
+    drawOffScreen();
     const QGuiApplication app(argc, argv);
     Language language;
     language.use(request.language);
@@ -38,12 +28,7 @@ int drawMapPicture(int& argc, char** argv, const MapPictureRequest& request) {
     painter.setFont(font);
     paintStrikeMap(painter, QRectF(image.rect()), request.map);
     painter.end();
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG"))
-        throw std::bad_alloc();
-    return saveFile(request.output, png);
+    return savePicture(request.output, image);
 }
 
 } // namespace thetalane

@@ -1,19 +1,14 @@
-// What thetalane study can do, a file each; and the files they write.
+// What thetalane study can do, a file each.
 #pragma once
 
 #include "core/study/study.h"
 #include "ui/words/language.h"
 
-#include <QSaveFile>
 #include <QString>
 
 #include <variant>
 
 namespace thetalane {
-
-// Opened before a study that takes a minute, so that a wrong name is told at once. An empty path is none.
-bool openFile(QSaveFile& file, const QString& path);
-int unwritten(const QSaveFile& file); // says so; the status to leave with
 
 int studyOfExtremes(bool quick, const QString& csvPath);
 

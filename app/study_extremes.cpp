@@ -1,11 +1,11 @@
 // thetalane study extremes
 #include "app/console.h"
+#include "app/save_file.h"
 #include "app/studies.h"
 #include "app/study_words.h"
 #include "app/text_table.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cstdio>
@@ -66,15 +66,12 @@ int verdict(const std::vector<ExtremeResult>& results) {
 } // namespace
 
 int studyOfExtremes(bool quick, const QString& csvPath) {
-    QSaveFile csv;
-    if (!csvPath.isEmpty() && !openFile(csv, csvPath))
-        return unwritten(csv);
+    if (const auto status = csvPath.isEmpty() ? std::nullopt : cannotSave(csvPath))
+        return *status;
     const auto results = studyExtremes(quick, tellProgress);
-    if (csv.isOpen()) {
-        csv.write(extremesCsv(results).toUtf8());
-        if (!csv.commit())
-            return unwritten(csv);
-    }
+    if (!csvPath.isEmpty())
+        if (const int status = saveFile(csvPath, extremesCsv(results).toUtf8()); status != Done)
+            return status;
     printExtremes(results);
     return verdict(results);
 }

@@ -1,5 +1,6 @@
 // thetalane study throws, thetalane study SCENE
 #include "app/console.h"
+#include "app/save_file.h"
 #include "app/studies.h"
 #include "app/study_report.h"
 
@@ -103,27 +104,10 @@ StudyConditions conditionsNow(const QString& seed, const QString& call) {
             seed, call};
 }
 
-bool openFile(QSaveFile& file, const QString& path) {
-    if (path.isEmpty())
-        return true;
-    file.setFileName(path);
-    file.setDirectWriteFallback(true);
-    return file.open(QIODevice::WriteOnly);
-}
-
-int unwritten(const QSaveFile& file) {
-    return failure(
-        StudyMethodsText::tr("%1: cannot be written: %2").arg(oneLine(file.fileName()), file.errorString()));
-}
-
 std::variant<int, StudyPicture> studyOfMethods(const MethodsCall& call) {
-    QSaveFile csv;
-    if (!openFile(csv, call.csv))
-        return unwritten(csv);
-    QSaveFile picture; // whether it could be written: it is not, as nothing is committed
-    if (!openFile(picture, call.picture))
-        return unwritten(picture);
-    picture.cancelWriting();
+    for (const QString& path : {call.csv, call.picture}) // a study takes a minute
+        if (const auto status = path.isEmpty() ? std::nullopt : cannotSave(path))
+            return *status;
 
     const Interruption interruption;
     StudyResult result = study(call.cases, call.options, interruption.token());
@@ -136,11 +120,11 @@ std::variant<int, StudyPicture> studyOfMethods(const MethodsCall& call) {
         models = study(call.cases, ablation, interruption.token());
         results << &models;
     }
-    if (csv.isOpen()) {
+    if (!call.csv.isEmpty()) {
         const auto seed = call.throws ? QString::number(call.seed) : QString();
-        csv.write(studyCsv(results, conditionsNow(seed, call.call)).toUtf8());
-        if (!csv.commit())
-            return unwritten(csv);
+        const QByteArray csv = studyCsv(results, conditionsNow(seed, call.call)).toUtf8();
+        if (const int status = saveFile(call.csv, csv); status != Done)
+            return status;
     }
     printLine(call.title);
     printLine();

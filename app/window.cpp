@@ -1,19 +1,17 @@
 #include "app/window.h"
 
 #include "app/console.h"
+#include "app/off_screen.h"
 #include "ui/application_icon.h"
 #include "ui/lab/lab_plan.h"
 #include "ui/main_window.h"
 
 #include <QApplication>
-#include <QBuffer>
 #include <QImage>
-#include <QSaveFile>
 #include <QSettings>
 #include <QStyleFactory>
 
 #include <algorithm>
-#include <new>
 
 namespace thetalane {
 namespace {
@@ -79,31 +77,6 @@ QImage pictureOf(QWidget& window, QSize size) {
     return image.size() == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-// A disk that fills up takes a part first, and tells why with the next piece.
-bool writeAll(QIODevice& device, const QByteArray& bytes) {
-    qint64 written = 0;
-    while (written < bytes.size()) {
-        const qint64 n = device.write(bytes.constData() + written, bytes.size() - written);
-        if (n <= 0)
-            return false;
-        written += n;
-    }
-    return true;
-}
-
-int savePng(const QImage& image, const QString& path) {
-    // In memory first: where the disk is full, libpng would have a line of its own to say.
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG"))
-        throw std::bad_alloc();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !writeAll(file, png) || !file.commit())
-        return failure("--output: " + oneLine(path) + ": " + oneLine(file.errorString()));
-    return Done;
-}
-
 } // namespace
 
 int runWindow(int& argc, char** argv, const WindowRequest& request) {
@@ -126,10 +99,7 @@ int runWindow(int& argc, char** argv, const WindowRequest& request) {
 }
 
 int drawPicture(int& argc, char** argv, const PictureRequest& request) {
-    qputenv("QT_QPA_PLATFORM", noDisplay);
-    for (const char* ofTheScreen : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"})
-        qunsetenv(ofTheScreen); // the size is asked for in pixels
-    qInstallMessageHandler(silent);
+    drawOffScreen();
     Application app(argc, argv);
     app.language.use(request.window.language.value_or(Language::ofSystem()));
     app.open(request.window);
@@ -154,7 +124,7 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     QCoreApplication::processEvents();
-    return savePng(pictureOf(window, request.size), request.output);
+    return savePicture(request.output, pictureOf(window, request.size));
 }
 
 } // namespace thetalane

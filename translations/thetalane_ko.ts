@@ -1763,10 +1763,6 @@ after %2 s: off by %3 m</source>
         <translation>오차: 경우 %2개 가운데 %1개</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다: %2</translation>
-    </message>
-    <message>
         <source>cancelled; what was measured by then has been kept</source>
         <translation>도중에 멈추었습니다. 그때까지 잰 것은 남겨 두었습니다</translation>
     </message>
