@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thetalane {
 namespace {
@@ -41,24 +42,47 @@ RunPart Session::part() const {
 
 std::vector<SceneError> Session::setScene(const Scene& scene) {
     auto errors = validate(scene);
-    if (!errors.empty())
-        return errors;
-    m_sceneId.clear();
-    if (!scene.lane)
-        m_throw.reset();
-    begin(scene);
-    return {};
+    if (errors.empty())
+        edit({scene, {}, scene.lane ? currentThrow() : std::nullopt, standing()});
+    return errors;
+}
+
+LaneConditions Session::laneConditions() const {
+    return {scene().restitution, scene().friction};
 }
 
 std::vector<SceneError> Session::setThrow(const Throw& ballThrow, double restitution) {
-    const Scene scene = bowlingScene(ballThrow, restitution);
+    if (currentThrow())
+        return setDelivery(ballThrow, standing(), {restitution, scene().friction});
+    return setDelivery(ballThrow, allPins, {restitution, houseFriction()});
+}
+
+std::vector<SceneError> Session::setDelivery(const Throw& ballThrow, const PinSet& standing,
+                                             const LaneConditions& lane) {
+    const Scene scene = bowlingScene(ballThrow, lane.restitution, lane.friction, standing);
     auto errors = validate(scene);
-    if (!errors.empty())
-        return errors;
-    m_sceneId = "bowling";
-    m_throw = ballThrow;
-    begin(scene);
-    return {};
+    if (errors.empty())
+        edit({scene, "bowling", ballThrow, standing});
+    return errors;
+}
+
+void Session::edit(Subject subject) {
+    const Subject before = std::exchange(m_subject, std::move(subject));
+    begin();
+    emit edited(before);
+}
+
+void Session::restore(const Subject& subject) {
+    m_subject = subject;
+    begin();
+}
+
+void Session::setForesight(Foresight foresight) {
+    if (foresight == m_foresight)
+        return;
+    m_foresight = foresight;
+    if (currentThrow())
+        begin();
 }
 
 std::optional<Refusal> Session::setEngine(const EngineSettings& asked) {
@@ -69,7 +93,7 @@ std::optional<Refusal> Session::setEngine(const EngineSettings& asked) {
         if (const auto refusal = refusalOf(settings))
             return refusal;
         m_settings = settings;
-        begin(scene());
+        begin();
         return std::nullopt;
     }
     auto outcome = simulate(scene(), settings);
@@ -97,37 +121,38 @@ bool Session::openBuiltin(const QString& id) {
     if (!scene)
         return false;
     const bool isThrow = scene->lane.has_value();
-    start(*std::move(scene), id, isThrow ? std::optional(Throw{}) : std::nullopt);
+    start({*std::move(scene), id, isThrow ? std::optional(Throw{}) : std::nullopt});
     return true;
 }
 
 std::vector<SceneError> Session::open(const Scene& scene) {
     auto errors = validate(scene);
     if (errors.empty())
-        start(scene, QString(), std::nullopt);
+        start({scene, {}});
     return errors;
 }
 
-void Session::start(Scene scene, const QString& id, std::optional<Throw> ballThrow) {
-    m_opened = std::move(scene);
-    m_openedId = id;
-    m_openedThrow = ballThrow;
+void Session::start(Subject subject) {
+    m_opened = std::move(subject);
     m_settings.until = EngineSettings{}.until; // ten minutes were asked for of another scene
     reset();
 }
 
 void Session::reset() {
-    m_sceneId = m_openedId;
-    m_throw = m_openedThrow;
-    begin(m_opened);
+    m_subject = m_opened;
+    begin();
+    emit opened();
 }
 
 // The first chapter at once: of most scenes it is the whole run. The rest in its own time.
-void Session::begin(const Scene& scene) {
+void Session::begin() {
     m_ahead.reset(); // it would only be in the way
-    if (m_settings.kind != EngineKind::Event)
-        return adopt(std::get<Run>(simulate(scene, m_settings)));
-    auto run = std::make_unique<LongRun>(scene, m_settings, m_limits.chapters);
+    EngineSettings settings = m_settings;
+    if (currentThrow() && m_foresight == Foresight::FirstContact)
+        settings.maxCollisions = 1;
+    if (settings.kind != EngineKind::Event)
+        return adopt(std::get<Run>(simulate(m_subject.scene, settings)));
+    auto run = std::make_unique<LongRun>(m_subject.scene, settings, m_limits.chapters);
     run->goOn();
     auto first = run->chapterAt(0);
     if (run->ended())

@@ -2,8 +2,8 @@
 // and receive an immutable Run: of a run too long to be kept whole, the present chapter.
 #pragma once
 
+#include "core/bowling/game.h"
 #include "core/engine/engine.h"
-#include "core/scene/bowling_scene.h"
 #include "core/scene/validation.h"
 #include "ui/run_ahead.h"
 
@@ -30,6 +30,19 @@ struct RunPart {
     bool isWhole() const { return collisionsBefore == 0 && last; }
 };
 
+// What the run is of, as a value: what an edit changes, and what undoing it brings back.
+struct Subject {
+    Scene scene;
+    QString sceneId; // the built-in id, or empty for a scene of the user's own or an edited one
+    std::optional<Throw> ballThrow{}; // that made a lane scene
+    PinSet standing = allPins;        // which it was thrown at
+
+    friend bool operator==(const Subject&, const Subject&) = default;
+};
+
+// How far a throw is shown before it is thrown: to the first thing it touches, or to the end.
+enum class Foresight { Whole, FirstContact };
+
 class Session : public QObject {
     Q_OBJECT
 public:
@@ -51,7 +64,8 @@ public:
     RunPart part() const;
 
     // The built-in id, or empty for a scene of the user's own or an edited one.
-    QString sceneId() const { return m_sceneId; }
+    QString sceneId() const { return m_subject.sceneId; }
+    const Subject& subject() const { return m_subject; }
 
     // How much of the run is worth showing [s]: to the end in a closed frame, a little beyond the last
     // collision where the bodies then only fly apart. While it is not known: as long as the run may be.
@@ -60,11 +74,20 @@ public:
     double reach() const;
 
     // The throw that made a lane scene; nothing for other scenes.
-    const std::optional<Throw>& currentThrow() const { return m_throw; }
+    const std::optional<Throw>& currentThrow() const { return m_subject.ballThrow; }
+    const PinSet& standing() const { return m_subject.standing; } // what it is thrown at
+    LaneConditions laneConditions() const;                        // the scene's
 
     // Each returns what is wrong, and then the last good scene stays; empty when done.
     std::vector<SceneError> setScene(const Scene& scene);
+    // At the pins and on the floor of now, if a throw made the scene; else at ten pins on the house lane.
     std::vector<SceneError> setThrow(const Throw& ballThrow, double restitution);
+    std::vector<SceneError> setDelivery(const Throw& ballThrow, const PinSet& standing,
+                                        const LaneConditions& lane);
+    void restore(const Subject& subject); // one that was here before
+    // Of throws alone; other scenes are always shown whole.
+    void setForesight(Foresight foresight);
+    Foresight foresight() const { return m_foresight; }
     std::optional<Refusal> setEngine(const EngineSettings& settings); // but for how much is kept
     std::optional<Refusal> setUntil(double until);                    // [s]
     double until() const { return m_settings.until; }
@@ -90,12 +113,16 @@ signals:
     void runChanged(std::shared_ptr<const thetalane::Run> run);
     // The same run, another chapter of it.
     void chapterChanged(std::shared_ptr<const thetalane::Run> run);
+    // After runChanged(): the scene was edited, and was this before; or another one was opened (or reset).
+    void edited(const thetalane::Subject& before);
+    void opened();
     // More of it is computed, or a chapter that was asked for may have been found.
     void progressed();
 
 private:
-    void start(Scene scene, const QString& id, std::optional<Throw> ballThrow);
-    void begin(const Scene& scene);
+    void start(Subject subject);
+    void edit(Subject subject);
+    void begin();
     void adopt(Run whole);
     void adoptFirst(std::shared_ptr<const Chapter> chapter, std::unique_ptr<LongRun> rest);
     void takeProgress();
@@ -108,11 +135,9 @@ private:
     QTimer m_look;          // while there may be news of it
     bool m_awaited = false; // a chapter that is not there yet
     EngineSettings m_settings;
-    QString m_sceneId;
-    Scene m_opened; // what reset() goes back to
-    QString m_openedId;
-    std::optional<Throw> m_throw;
-    std::optional<Throw> m_openedThrow;
+    Subject m_subject;
+    Subject m_opened; // what reset() goes back to
+    Foresight m_foresight = Foresight::Whole;
     double m_shownUntil = 0;
 };
 

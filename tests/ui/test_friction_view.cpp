@@ -100,7 +100,7 @@ private slots:
     void scrubbingBackIsALookUp() {
         const Run run = hookingBall();
         const Turning turning(run.timeline.segments(0), run.timeline.rotations(0));
-        std::vector<Turn> there;
+        std::vector<Orientation> there;
         for (int k = 0; k <= 200; ++k)
             there.push_back(turning.at(k * 0.01));
         for (int k = 200; k >= 0; --k)

@@ -53,7 +53,7 @@ void BodyItem::setLost(bool lost) {
     update();
 }
 
-void BodyItem::setTurn(const std::optional<Turn>& turn) {
+void BodyItem::setTurn(const std::optional<Orientation>& turn) {
     if (turn == m_turn)
         return;
     m_turn = turn;

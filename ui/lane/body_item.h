@@ -28,8 +28,8 @@ public:
     void setHovered(bool hovered);
     void setLost(bool lost); // in a gutter or the pit: dimmed
     // A ball that has been given one shows it: two halves, and finger holes.
-    void setTurn(const std::optional<Turn>& turn);
-    const std::optional<Turn>& turn() const { return m_turn; }
+    void setTurn(const std::optional<Orientation>& turn);
+    const std::optional<Orientation>& turn() const { return m_turn; }
     Role role() const { return m_role; }
     bool hovered() const { return m_hovered; }
 
@@ -56,7 +56,7 @@ private:
     Role m_role = Role::Usual;
     bool m_hovered = false;
     bool m_lost = false;
-    std::optional<Turn> m_turn;
+    std::optional<Orientation> m_turn;
 };
 
 } // namespace thetalane

@@ -25,7 +25,43 @@ std::optional<int> LaneView::bodyAt(const QPoint& pixel) const {
                             grabSlack / transform().m11());
 }
 
+Pointer LaneView::pointerAt(const QPoint& pixel) const {
+    return {toMetres(viewportTransform().inverted().map(QPointF(pixel))),
+            grabSlack / (transform().m11() * unitsPerMetre), QGuiApplication::keyboardModifiers()};
+}
+
+std::optional<LaneView::Grip> LaneView::gripAt(const QPoint& pixel) const {
+    const Pointer pointer = pointerAt(pixel);
+    for (LaneTool* tool : m_tools)
+        if (const auto handle = tool->handleAt(pointer))
+            return Grip{tool, *handle};
+    return std::nullopt;
+}
+
+void LaneView::grab(const QPoint& pixel) {
+    m_grip = gripAt(pixel);
+    if (m_grip)
+        m_grip->tool->press(m_grip->handle, pointerAt(pixel));
+}
+
+void LaneView::letGo(bool abandon) {
+    const Grip grip = *m_grip;
+    m_grip.reset(); // first: what the tool does may ask the view
+    if (abandon)
+        grip.tool->abandon();
+    else
+        grip.tool->release();
+}
+
 void LaneView::hover(const QPoint& pixel) {
+    const auto grip = gripAt(pixel);
+    for (LaneTool* tool : m_tools)
+        tool->hover(grip && grip->tool == tool ? std::optional(grip->handle) : std::nullopt);
+    if (grip) {
+        m_scene.setHovered(std::nullopt);
+        viewport()->setCursor(grip->handle.cursor);
+        return;
+    }
     const auto body = bodyAt(pixel);
     m_scene.setHovered(body);
     viewport()->setCursor(body && m_scene.nextCollisionOf(*body) ? Qt::PointingHandCursor
@@ -35,14 +71,19 @@ void LaneView::hover(const QPoint& pixel) {
 bool LaneView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto body = bodyAt(help->pos()))
+        if (const auto grip = gripAt(help->pos()); grip && !grip->handle.tip.isEmpty())
+            QToolTip::showText(help->globalPos(), grip->handle.tip, viewport());
+        else if (const auto body = bodyAt(help->pos()))
             QToolTip::showText(help->globalPos(), m_scene.bodyTip(*body), viewport());
         else
             QToolTip::hideText();
         return true;
     }
-    if (event->type() == QEvent::Leave)
+    if (event->type() == QEvent::Leave) {
         m_scene.setHovered(std::nullopt);
+        for (LaneTool* tool : m_tools)
+            tool->hover(std::nullopt);
+    }
     return QGraphicsView::viewportEvent(event);
 }
 
@@ -54,6 +95,9 @@ void LaneView::wheelEvent(QWheelEvent* event) {
 void LaneView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton)
         return;
+    grab(event->position().toPoint());
+    if (m_grip)
+        return;
     m_pressed = event->position().toPoint();
     m_dragged = *m_pressed;
     m_dragging = false;
@@ -61,6 +105,8 @@ void LaneView::mousePressEvent(QMouseEvent* event) {
 
 void LaneView::mouseMoveEvent(QMouseEvent* event) {
     const QPoint at = event->position().toPoint();
+    if (m_grip)
+        return m_grip->tool->drag(pointerAt(at));
     if (!m_pressed) {
         hover(at);
         return;
@@ -76,7 +122,13 @@ void LaneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void LaneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || !m_pressed)
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (m_grip) {
+        letGo(false);
+        return hover(event->position().toPoint());
+    }
+    if (!m_pressed)
         return;
     const bool click = !m_dragging;
     const QPoint at = event->position().toPoint();
@@ -97,12 +149,20 @@ void LaneView::mouseReleaseEvent(QMouseEvent* event) {
 
 // The first click of a double-click on a body has opened its collision, and the view has flown there.
 void LaneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && !m_clickOpened)
+    const QPoint at = event->position().toPoint();
+    if (event->button() == Qt::LeftButton && gripAt(at))
+        grab(at); // the second press of two is one, too
+    else if (event->button() == Qt::LeftButton && !m_clickOpened)
         fit();
 }
 
 // The arrow keys belong to the playhead: what is not ours goes on to the window.
 void LaneView::keyPressEvent(QKeyEvent* event) {
+    if (m_grip && event->key() == Qt::Key_Escape)
+        return letGo(true);
+    for (LaneTool* tool : m_tools)
+        if (tool->key(*event))
+            return;
     switch (event->key()) {
     case Qt::Key_F:
         fit();

@@ -85,7 +85,7 @@ void LaneView::adoptRun() {
 void LaneView::showSelection() {
     if (m_scene.selected()) {
         if (!m_beforeSelection)
-            m_beforeSelection = {m_aim, m_flight.state() == QVariantAnimation::Running ? m_to : m_camera};
+            m_beforeSelection = {m_aim, target()};
         flyTo(pairCamera(), Aim::Pair);
     } else if (m_beforeSelection) {
         const auto [aim, before] = *m_beforeSelection;
@@ -180,6 +180,15 @@ void LaneView::zoomAbout(const QPointF& pixel, double factor) {
     setCamera({clampCentre(held + (middle - pixel) / scale), scale});
 }
 
+void LaneView::flyToRect(const QRectF& units) {
+    flyTo(cameraFor(units, viewport()->size(), 4 * m_context.appearance.unit()), Aim::Free);
+}
+
+void LaneView::addTool(LaneTool& tool) {
+    m_tools.push_back(&tool);
+    connect(&tool, &LaneTool::changed, viewport(), qOverload<>(&QWidget::update));
+}
+
 void LaneView::fit() {
     flyTo(fitCamera(), Aim::Fit);
 }
@@ -213,6 +222,8 @@ void LaneView::drawForeground(QPainter* painter, const QRectF&) {
         m_places = {};
     }
     const Pixels pixels(*painter);
+    for (const LaneTool* tool : m_tools)
+        tool->paint(*painter, pixels, area);
     paintScaleBar(*painter, perMetre, corner, m_context.appearance);
     const double metresPerSpeed = m_overlay ? m_overlay->metresPerSpeed : m_scene.metresPerSpeed();
     paintSpeedScale(*painter, perMetre * metresPerSpeed, corner + QPointF(130, 0), m_context.appearance);

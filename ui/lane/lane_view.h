@@ -3,6 +3,7 @@
 
 #include "ui/context.h"
 #include "ui/lane/camera.h"
+#include "ui/lane/lane_tool.h"
 #include "ui/lane/overlay_painter.h"
 #include "ui/lane/step_overlay.h"
 
@@ -29,6 +30,11 @@ public:
     // What is on top of the lane now: nothing while no collision is selected.
     const std::optional<StepOverlay>& overlay() const { return m_overlay; }
     const OverlayPlaces& overlayPlaces() const { return m_places; } // of the last painting [px]
+
+    // The view does not own it; it must live as long. The first one added is asked first.
+    void addTool(LaneTool& tool);
+    Camera target() const { return m_flight.state() == QVariantAnimation::Running ? m_to : m_camera; }
+    void flyToRect(const QRectF& units); // and stay there
 
     // Puts a small widget into a corner; labels keep away from it.
     void addToCorner(QWidget* widget, Qt::Corner corner);
@@ -61,6 +67,12 @@ private:
         Qt::Corner corner;
     };
 
+    struct Grip {
+        LaneTool* tool;
+        Handle handle;
+    };
+    std::optional<Grip> gripAt(const QPoint& pixel) const;
+
     void retranslate();
     void adoptRun();
     void showSelection();
@@ -73,6 +85,9 @@ private:
     QPointF clampCentre(const QPointF& centre) const;
     void zoomAbout(const QPointF& pixel, double factor);
     void hover(const QPoint& pixel);
+    Pointer pointerAt(const QPoint& pixel) const;
+    void grab(const QPoint& pixel);
+    void letGo(bool abandon);
     std::optional<int> bodyAt(const QPoint& pixel) const;
     std::vector<QRectF> cornerRects() const;
 
@@ -91,6 +106,8 @@ private:
     OverlayPlaces m_places;
 
     std::vector<Corner> m_corners;
+    std::vector<LaneTool*> m_tools;
+    std::optional<Grip> m_grip; // of a gesture under way
     std::optional<QPoint> m_pressed;
     QPoint m_dragged; // the last place of the drag
     bool m_dragging = false;

@@ -23,13 +23,13 @@ double length(const Vector& a) {
     return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 
-Turn unit(const Turn& q) {
+Orientation unit(const Orientation& q) {
     const double n = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     return {q.w / n, q.x / n, q.y / n, q.z / n};
 }
 
 // Of ω linear in time, from `from` to `to`: ∫ω, and the first term of how its parts do not commute.
-Turn step(const Rotation& r, double from, double to) {
+Orientation step(const Rotation& r, double from, double to) {
     const double h = to - from;
     const Vector middle = plus(r.spin, r.rate, (from + to) / 2);
     Vector angle{middle.x * h, middle.y * h, middle.z * h};
@@ -39,12 +39,12 @@ Turn step(const Rotation& r, double from, double to) {
 
 } // namespace
 
-Turn operator*(const Turn& a, const Turn& b) {
+Orientation operator*(const Orientation& a, const Orientation& b) {
     return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
             a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-Turn turnBy(const Spin<double>& angle) {
+Orientation turnBy(const Spin<double>& angle) {
     const double all = length(angle);
     if (all == 0)
         return {};
@@ -52,7 +52,7 @@ Turn turnBy(const Spin<double>& angle) {
     return {std::cos(all / 2), angle.x * s, angle.y * s, angle.z * s};
 }
 
-Direction turned(const Turn& q, const Direction& d) {
+Direction turned(const Orientation& q, const Direction& d) {
     const Vector axis{q.x, q.y, q.z};
     const Vector v{d.x, d.y, d.z};
     const Vector twice = plus({}, times(axis, v), 2);
@@ -60,7 +60,7 @@ Direction turned(const Turn& q, const Direction& d) {
     return {moved.x, moved.y, moved.z};
 }
 
-Turn turnDuring(const Rotation& r, double duration) {
+Orientation turnDuring(const Rotation& r, double duration) {
     const Vector last = plus(r.spin, r.rate, duration);
     const double fastest = std::max(length(r.spin), length(last));
     const bool fixedAxis = length(times(r.spin, r.rate)) <= 1e-14 * length(r.spin) * length(r.rate);
@@ -68,7 +68,7 @@ Turn turnDuring(const Rotation& r, double duration) {
         return step(r, 0, duration);
     const double h = longestTurn / std::max(fastest, std::sqrt(length(r.rate)));
     const double steps = std::clamp(std::ceil(duration / h), 1.0, mostSteps);
-    Turn q;
+    Orientation q;
     for (double k = 0; k < steps; ++k)
         q = step(r, duration * (k / steps), duration * ((k + 1) / steps)) * q;
     return unit(q);
@@ -76,7 +76,7 @@ Turn turnDuring(const Rotation& r, double duration) {
 
 Turning::Turning(std::span<const Segment> segments, std::span<const Rotation> rotations)
     : m_rotations(rotations.begin(), rotations.end()) {
-    Turn q;
+    Orientation q;
     for (std::size_t k = 0; k < m_rotations.size(); ++k) {
         m_times.push_back(segments[k].start);
         if (k > 0)
@@ -85,7 +85,7 @@ Turning::Turning(std::span<const Segment> segments, std::span<const Rotation> ro
     }
 }
 
-Turn Turning::at(double time) const {
+Orientation Turning::at(double time) const {
     if (!isKnown())
         return {};
     const auto after = std::upper_bound(m_times.begin(), m_times.end(), time);
