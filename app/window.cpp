@@ -4,7 +4,7 @@
 #include "app/off_screen.h"
 #include "ui/application_icon.h"
 #include "ui/lab/lab_plan.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QImage>
@@ -93,7 +93,7 @@ int runWindow(int& argc, char** argv, const WindowRequest& request) {
     MainWindow window(app.context(), app.language);
     window.restoreState();
     if (request.projector)
-        window.setProjector(true);
+        app.appearance.setProjector(true);
     window.show();
     return QApplication::exec();
 }
@@ -105,7 +105,7 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     app.open(request.window);
     MainWindow window(app.context(), app.language);
     window.setReducedMotion(true);
-    window.setProjector(request.window.projector);
+    app.appearance.setProjector(request.window.projector);
     window.resize(windowSize(request.size, window.minimumSize()));
     window.show();
     QCoreApplication::processEvents();

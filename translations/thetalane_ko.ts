@@ -2909,28 +2909,84 @@ after %2 s: off by %3 m</source>
         <translation>물체</translation>
     </message>
     <message>
-        <source>Reset the scene (R)</source>
-        <translation>장면을 처음으로 되돌리기 (R)</translation>
-    </message>
-    <message>
         <source>Reset the scene</source>
         <translation>장면을 처음으로 되돌리기</translation>
     </message>
     <message>
-        <source>Projector</source>
-        <translation>프로젝터</translation>
-    </message>
-    <message>
-        <source>Large type and lines for a projector (F11)</source>
-        <translation>프로젝터용 큰 글자와 굵은 선 (F11)</translation>
-    </message>
-    <message>
-        <source>Language of everything (L)</source>
-        <translation>화면 전체의 언어 (L)</translation>
-    </message>
-    <message>
         <source>Accuracy</source>
         <translation>정확도</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>재생 또는 일시 정지</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>한 프레임 뒤로</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>한 프레임 앞으로</translation>
+    </message>
+    <message>
+        <source>The collision before</source>
+        <translation>이전 충돌</translation>
+    </message>
+    <message>
+        <source>The next collision</source>
+        <translation>다음 충돌</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>이전 단계</translation>
+    </message>
+    <message>
+        <source>The next step of the collision</source>
+        <translation>충돌의 다음 단계</translation>
+    </message>
+    <message>
+        <source>Close the collision</source>
+        <translation>충돌 닫기</translation>
+    </message>
+    <message>
+        <source>All of the lane in view</source>
+        <translation>전체 보기</translation>
+    </message>
+    <message>
+        <source>Fold the panel away, or open it</source>
+        <translation>옆 패널 접기/펼치기</translation>
+    </message>
+    <message>
+        <source>Projector mode</source>
+        <translation>프로젝터 모드</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>어두운 화면/밝은 화면</translation>
+    </message>
+    <message>
+        <source>한국어 or English</source>
+        <translation>한국어/English</translation>
+    </message>
+    <message>
+        <source>The collision, step by step</source>
+        <translation>충돌을 단계별로 보기</translation>
+    </message>
+    <message>
+        <source>All collisions</source>
+        <translation>모든 충돌</translation>
+    </message>
+    <message>
+        <source>The attributes of the throw</source>
+        <translation>투구의 속성</translation>
+    </message>
+    <message>
+        <source>The attributes of the bodies</source>
+        <translation>물체의 속성</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy, measured</source>
+        <translation>속도와 정확도, 재어 본 값</translation>
     </message>
 </context>
 <context>
@@ -3356,6 +3412,37 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Play (Space)</source>
         <translation>재생 (스페이스 바)</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::TopBar</name>
+    <message>
+        <source>Reset the scene</source>
+        <translation>처음으로 되돌리기</translation>
+    </message>
+    <message>
+        <source>Reset the scene (R)</source>
+        <translation>처음으로 되돌리기 (R)</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>어두운 화면/밝은 화면</translation>
+    </message>
+    <message>
+        <source>Dark or light (D)</source>
+        <translation>어두운 화면/밝은 화면 (D)</translation>
+    </message>
+    <message>
+        <source>Projector</source>
+        <translation>프로젝터</translation>
+    </message>
+    <message>
+        <source>Large type and lines for a projector (F11)</source>
+        <translation>프로젝터에 맞춘 큰 글씨와 굵은 선 (F11)</translation>
+    </message>
+    <message>
+        <source>Language of everything (L)</source>
+        <translation>화면의 언어 (L)</translation>
     </message>
 </context>
 <context>

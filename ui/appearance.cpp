@@ -32,18 +32,26 @@ void Appearance::setProjector(bool on) {
     emit changed();
 }
 
+void Appearance::setDark(bool on) {
+    if (on == m_dark)
+        return;
+    m_dark = on;
+    emit changed();
+}
+
+// On dark ground the same hues, lighter, so that they are told apart as well as on paper.
 QColor Appearance::ink(Ink role) const {
     switch (role) {
     case Ink::First:
-        return QColor(0x00, 0x72, 0xB2);
+        return m_dark ? QColor(0x4D, 0xA8, 0xE0) : QColor(0x00, 0x72, 0xB2);
     case Ink::Second:
-        return QColor(0xD5, 0x5E, 0x00);
+        return m_dark ? QColor(0xFF, 0x8A, 0x3D) : QColor(0xD5, 0x5E, 0x00);
     case Ink::Along:
-        return QColor(0x00, 0x9E, 0x73);
+        return m_dark ? QColor(0x2C, 0xC7, 0x9A) : QColor(0x00, 0x9E, 0x73);
     case Ink::Across:
-        return QColor(0xCC, 0x79, 0xA7);
+        return m_dark ? QColor(0xE0, 0xA3, 0xC8) : QColor(0xCC, 0x79, 0xA7);
     case Ink::Triangle:
-        return QColor(0xE6, 0x9F, 0x00);
+        return m_dark ? QColor(0xF2, 0xB9, 0x3B) : QColor(0xE6, 0x9F, 0x00);
     case Ink::Plain:
         break;
     }
@@ -51,6 +59,8 @@ QColor Appearance::ink(Ink role) const {
 }
 
 QColor Appearance::textInk(Ink role) const {
+    if (m_dark)
+        return ink(role);
     switch (role) {
     case Ink::First:
         return QColor(0x00, 0x5F, 0x95);
@@ -68,41 +78,59 @@ QColor Appearance::textInk(Ink role) const {
     return text();
 }
 
+// Light; light on a projector; dark; dark on a projector.
+QColor Appearance::pick(QRgb light, QRgb lightProjector, QRgb dark, QRgb darkProjector) const {
+    return QColor::fromRgb(m_dark ? (m_projector ? darkProjector : dark)
+                                  : (m_projector ? lightProjector : light));
+}
+
 QColor Appearance::window() const {
-    return m_projector ? QColor(0xFF, 0xFF, 0xFF) : QColor(0xF4, 0xF5, 0xF7);
+    return pick(0xF4F5F7, 0xFFFFFF, 0x14191F, 0x000000);
 }
 QColor Appearance::card() const {
-    return QColor(0xFF, 0xFF, 0xFF);
+    return pick(0xFFFFFF, 0xFFFFFF, 0x1F252C, 0x0E1216);
 }
 QColor Appearance::text() const {
-    return m_projector ? QColor(0x00, 0x00, 0x00) : QColor(0x1E, 0x24, 0x2B);
+    return pick(0x1E242B, 0x000000, 0xE8ECF0, 0xFFFFFF);
 }
 QColor Appearance::quietText() const {
-    return m_projector ? QColor(0x33, 0x3A, 0x42) : QColor(0x5A, 0x65, 0x70);
+    return pick(0x5A6570, 0x333A42, 0xA8B2BC, 0xC8D0D8);
 }
 QColor Appearance::line() const {
-    return m_projector ? QColor(0x9A, 0xA2, 0xAB) : QColor(0xD9, 0xDD, 0xE2);
+    return pick(0xD9DDE2, 0x9AA2AB, 0x3A434D, 0x66707A);
 }
 QColor Appearance::accent() const {
-    return QColor(0x00, 0x5F, 0x95);
+    return pick(0x005F95, 0x005F95, 0x6BB8EA, 0x7CC4F2);
+}
+QColor Appearance::hover() const {
+    return pick(0xE8EEF3, 0xE3ECF3, 0x26303A, 0x1E2A34);
+}
+QColor Appearance::chosen() const {
+    return pick(0xDCEAF4, 0xC4DDEE, 0x1F4158, 0x24506E);
 }
 QColor Appearance::error() const {
-    return QColor(0xB0, 0x1E, 0x1E);
+    return pick(0xB01E1E, 0xB01E1E, 0xFF9A90, 0xFFA79E);
+}
+QColor Appearance::errorGround() const {
+    return pick(0xFCEDED, 0xFCEDED, 0x3B1F20, 0x3B1F20);
 }
 QColor Appearance::wood() const {
-    return QColor(0xF3, 0xE8, 0xD6);
+    return pick(0xF3E8D6, 0xF3E8D6, 0x3A3226, 0x2C261C);
 }
 QColor Appearance::woodLine() const {
-    return QColor(0xDF, 0xCD, 0xB0);
+    return pick(0xDFCDB0, 0xDFCDB0, 0x544834, 0x544834);
 }
 QColor Appearance::gutter() const {
-    return QColor(0xC9, 0xCD, 0xD2);
+    return pick(0xC9CDD2, 0xC9CDD2, 0x2A2F35, 0x20252A);
 }
 QColor Appearance::floor() const {
-    return QColor(0xFB, 0xFB, 0xFC);
+    return pick(0xFBFBFC, 0xFBFBFC, 0x171C22, 0x07090B);
 }
 QColor Appearance::pin() const {
-    return QColor(0xFF, 0xFF, 0xFF);
+    return pick(0xFFFFFF, 0xFFFFFF, 0x353D46, 0x2B323A);
+}
+QColor Appearance::onInk() const {
+    return pick(0xFFFFFF, 0xFFFFFF, 0x10151A, 0x000000);
 }
 
 int Appearance::pixels(Size size) const {
@@ -182,7 +210,7 @@ QString Appearance::styleSheet() const {
         {"@window", window().name()},
         {"@quiet", quietText().name()},
         {"@accent", accent().name()},
-        {"@hover", m_projector ? QStringLiteral("#E3ECF3") : QStringLiteral("#E8EEF3")},
+        {"@hover", hover().name()},
         {"@halfpx", QStringLiteral("%1px").arg(unit() / 2)},
         {"@unitpx", QStringLiteral("%1px").arg(2 * unit())},
         {"@barpx", QStringLiteral("%1px").arg(m_projector ? 4 : 3)},

@@ -18,6 +18,10 @@ public:
     bool projector() const { return m_projector; }
     void setProjector(bool on);
 
+    // Dark, or light as paper. A projector's colours are stronger in both.
+    bool dark() const { return m_dark; }
+    void setDark(bool on);
+
     // For pictures, and for people who prefer it: nothing glides, everything is at once where it goes.
     bool reducedMotion() const { return m_reducedMotion; }
     void setReducedMotion(bool on) { m_reducedMotion = on; }
@@ -30,14 +34,18 @@ public:
     QColor card() const;   // cards and panels
     QColor text() const;
     QColor quietText() const;
-    QColor line() const;   // hairlines
-    QColor accent() const; // the one obvious thing to press, the focus, the current stage
-    QColor error() const;
-    QColor wood() const; // the lane
+    QColor line() const;        // hairlines
+    QColor accent() const;      // the one obvious thing to press, the focus, the current stage
+    QColor hover() const;       // behind what the mouse is over
+    QColor chosen() const;      // behind what is chosen in a list
+    QColor error() const;       // of text
+    QColor errorGround() const; // behind it
+    QColor wood() const;        // the lane
     QColor woodLine() const;
     QColor gutter() const;
     QColor floor() const; // of a scene without a lane
     QColor pin() const;
+    QColor onInk() const; // text on a disc filled with an ink
 
     // Sizes in pixels: 11/13/16/22, in projector mode 16/20/26/36.
     enum class Size { Small, Normal, Large, Title };
@@ -54,7 +62,10 @@ signals:
     void changed();
 
 private:
+    QColor pick(QRgb light, QRgb lightProjector, QRgb dark, QRgb darkProjector) const;
+
     bool m_projector = false;
+    bool m_dark = false;
     bool m_reducedMotion = false;
 };
 

@@ -78,9 +78,9 @@ private slots:
         row("ui/session.cpp", "#include \"ui/words/language.h\"", true);
         row("ui/session.cpp", "#include \"core/engine/models.h\"", true);
         row("ui/session.cpp", "#include \"ui/panels/ball_panel.h\"", false);
-        row("ui/session.cpp", "#include \"ui/main_window.h\"", false);
-        row("ui/main_window.cpp", "#include \"ui/panels/ball_panel.h\"", true);
-        row("ui/main_window.h", "#include \"app/main.h\"", false);
+        row("ui/session.cpp", "#include \"ui/window/main_window.h\"", false);
+        row("ui/window/main_window.cpp", "#include \"ui/panels/ball_panel.h\"", true);
+        row("ui/window/main_window.h", "#include \"app/main.h\"", false);
         row("ui/panels/a.cpp", "#include \"ui/session.h\"", true);
         row("ui/panels/a.cpp", "#include \"core/engine/engine.h\"", true);
         row("ui/panels/a.cpp", "#include \"core/engine/engines.h\"", false);
@@ -88,10 +88,10 @@ private slots:
         row("ui/steps/a.cpp", "#include \"core/engine/models.h\"", false);
         row("ui/panels/a.cpp", "#include \"ui/lane/lane_view.h\"", false);
         row("ui/lane/a.cpp", "#include \"ui/steps/step_panel.h\"", false);
-        row("ui/steps/a.cpp", "#include \"ui/main_window.h\"", false);
+        row("ui/steps/a.cpp", "#include \"ui/window/main_window.h\"", false);
         row("ui/panels/a_panel.cpp", "#include \"ui/panels/a_panel.h\"", true);
         row("ui/panels/a_panel.cpp", "#include \"ui/panels/b_panel.h\"", false);
-        row("app/main.cpp", "#include \"ui/main_window.h\"", true);
+        row("app/main.cpp", "#include \"ui/window/main_window.h\"", true);
         row("lost/a.cpp", "#include <cmath>", false);
     }
     void theCheckerCanFail() {

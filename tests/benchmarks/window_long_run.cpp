@@ -3,7 +3,7 @@
 //   QT_QPA_PLATFORM=offscreen bin/thetalane_window_bench [--quick] [--pictures DIR]
 #include "tests/benchmarks/table.h"
 #include "tests/benchmarks/timing.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QDir>
@@ -160,7 +160,7 @@ void pictures(Program& p, const QString& directory) {
          {std::pair{Language::Code::English, "en"}, {Language::Code::Korean, "ko"}})
         for (const bool projector : {false, true}) {
             p.language.use(code);
-            p.window.setProjector(projector);
+            p.appearance.setProjector(projector);
             QCoreApplication::processEvents();
             p.window.grab().save(QDir(directory).filePath(
                 QString("gas-1000-%1%2.png").arg(name, projector ? "-projector" : "")));

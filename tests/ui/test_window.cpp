@@ -1,7 +1,9 @@
 // The whole window, driven by real keys and clicks, in both languages and at the sizes it is used at.
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include "core/scene/builtin.h"
+#include "ui/rail/rail.h"
+#include "ui/rail/rail_button.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -12,7 +14,6 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -52,9 +53,6 @@ QStringList textsOf(const QWidget* w) {
         texts << label->text();
     if (const auto* button = qobject_cast<const QAbstractButton*>(w))
         texts << button->text();
-    if (const auto* tabs = qobject_cast<const QTabWidget*>(w))
-        for (int i = 0; i < tabs->count(); ++i)
-            texts << tabs->tabText(i);
     if (const auto* combo = qobject_cast<const QComboBox*>(w))
         for (int i = 0; i < combo->count(); ++i)
             texts << combo->itemText(i);
@@ -146,7 +144,7 @@ private slots:
         QVERIFY(!p.playhead.playing());
         QCOMPARE(p.playhead.time(), 0.0);
 
-        p.window.findChild<QTabWidget*>("tabs")->setCurrentIndex(2);
+        p.window.enter(Room::Attributes);
         auto* mass = p.window.findChild<QLineEdit*>("body0Mass");
         mass->setFocus();
         const QString before = mass->text();
@@ -167,7 +165,7 @@ private slots:
     // The open card shows its figure and its first formulas without scrolling, from the back row too.
     void firstFormulasAreSeenOnAProjector() {
         Program p(Language::Code::Korean);
-        p.window.setProjector(true);
+        p.appearance.setProjector(true);
         p.playhead.select(0);
         auto* viewport = p.window.findChild<QAbstractScrollArea*>("stepScroll")->viewport();
         for (int stage = 0; stage < stageCount; ++stage) {
@@ -183,16 +181,16 @@ private slots:
 
     void languageSwitchesEverythingAtOnce() {
         Program p(Language::Code::English);
-        auto* tabs = p.window.findChild<QTabWidget*>("tabs");
-        QCOMPARE(tabs->tabText(0), QString("Steps"));
+        auto* steps = p.window.findChild<RailButton*>(QString("room%1").arg(int(Room::Steps)));
+        QCOMPARE(steps->text(), QString("Steps"));
         QTest::keyClick(&p.window, Qt::Key_L);
         QCOMPARE(p.language.code(), Language::Code::Korean);
         QCoreApplication::processEvents();
-        QVERIFY(tabs->tabText(0) != "Steps");
+        QVERIFY(steps->text() != "Steps");
         QVERIFY(p.window.findChild<QToolButton*>("korean")->isChecked());
         QTest::mouseClick(p.window.findChild<QToolButton*>("english"), Qt::LeftButton);
         QCoreApplication::processEvents();
-        QCOMPARE(tabs->tabText(0), QString("Steps"));
+        QCOMPARE(steps->text(), QString("Steps"));
     }
 
     void koreanPagesHoldNoEnglish_data() { sceneRows(); }
@@ -203,6 +201,9 @@ private slots:
         for (const bool open : {false, true}) {
             if (open)
                 p.playhead.select(0);
+            const auto* rail = p.window.findChild<Rail*>("rail");
+            for (int k = 0; rail->offered(k); ++k)
+                p.window.enter(*rail->offered(k));
             QCoreApplication::processEvents();
             for (const QWidget* w : p.window.findChildren<QWidget*>())
                 for (const QString& text : textsOf(w))
@@ -230,19 +231,21 @@ private slots:
         QFETCH(bool, projector);
         Program p(korean ? Language::Code::Korean : Language::Code::English, size);
         QVERIFY(p.session.openBuiltin(scene));
-        p.window.setProjector(projector);
-        auto* tabs = p.window.findChild<QTabWidget*>("tabs");
-        for (int tab = 0; tab < tabs->count(); ++tab) {
-            tabs->setCurrentIndex(tab);
-            if (tab == 0)
+        p.appearance.setProjector(projector);
+        auto* rail = p.window.findChild<Rail*>("rail");
+        for (int k = 0; rail->offered(k); ++k) {
+            const Room room = *rail->offered(k);
+            p.window.enter(room);
+            if (room == Room::Steps)
                 p.playhead.select(0);
             QTest::qWait(1);
             QCOMPARE(p.window.size(), size); // nothing pushes the window open
             for (const QWidget* w : p.window.findChildren<QWidget*>()) {
                 const auto* label = qobject_cast<const QLabel*>(w);
                 const auto* button = qobject_cast<const QAbstractButton*>(w);
+                const bool icon = qobject_cast<const RailButton*>(w); // may stand without its name
                 const bool says = (label && !label->text().isEmpty() && !label->wordWrap()) ||
-                                  (button && !button->text().isEmpty());
+                                  (button && !icon && !button->text().isEmpty());
                 if (says && w->isVisible())
                     QVERIFY2(w->width() + 1 >= w->sizeHint().width(),
                              qPrintable(QString("%1 is %2 wide, needs %3: %4")
@@ -283,7 +286,7 @@ private slots:
         {
             Program p(Language::Code::Korean);
             p.window.resize(1111, 777);
-            p.window.setProjector(true);
+            p.appearance.setProjector(true);
             auto* divide = p.window.findChild<QSplitter*>("divide");
             QTest::qWait(1);
             const QPoint handle = divide->handle(1)->rect().center();

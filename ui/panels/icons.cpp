@@ -139,6 +139,14 @@ QPainterPath folder() {
     return stroked(line);
 }
 
+// A crescent.
+QPainterPath moon() {
+    QPainterPath disc, bite;
+    disc.addEllipse(QPointF(11, 12.5), 8, 8);
+    bite.addEllipse(QPointF(15, 9), 7, 7);
+    return disc - bite;
+}
+
 class PathEngine : public QIconEngine {
 public:
     PathEngine(Icon icon, QColor colour, QColor disabled)
@@ -196,6 +204,8 @@ QPainterPath iconPath(Icon icon) {
         return cross(false);
     case Icon::Open:
         return folder();
+    case Icon::Moon:
+        return moon();
     case Icon::Down:
         return chevron();
     }

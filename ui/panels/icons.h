@@ -25,6 +25,7 @@ enum class Icon {
     Plus,
     Minus,
     Open,
+    Moon, // dark or light
     Down, // there is more to choose from
 };
 

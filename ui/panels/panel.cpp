@@ -71,7 +71,7 @@ QString panelStyle(const Appearance& a) {
     put("%accent", a.accent().name());
     put("%dark", a.accent().darker(115).name());
     put("%error", a.error().name());
-    put("%chosen", a.projector() ? "#C4DDEE" : "#DCEAF4");
+    put("%chosen", a.chosen().name());
     put("%field", QString::number(field));
     put("%big", QString::number(field + a.unit()));
     put("%drop", QString::number(field - 4) + "px");

@@ -6,24 +6,18 @@
 
 #include <QMainWindow>
 
-#include <functional>
-
 class QStackedWidget;
-class QTabWidget;
-class QToolButton;
 
 namespace thetalane {
 
-class BodiesPanel;
 class Divide;
-class IconButton;
-class LabPanel;
 class LanePanel;
 class MessageBar;
-class SceneChooser;
-class StepPanel;
-class ThrowPanel;
+class Rail;
+class Shortcuts;
+class TopBar;
 enum class Preset;
+enum class Room;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -31,15 +25,16 @@ public:
     MainWindow(const Context& context, Language& language, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void setProjector(bool on);
     void setReducedMotion(bool on); // for pictures and for people who prefer it
 
-    // Geometry, divide and projector mode, in the user's settings.
+    // Geometry, divide, theme and projector mode, in the user's settings.
     void restoreState();
     void saveState() const;
 
     // Opens a scene file; what is wrong with it is said in the window, and the last good scene stays.
     void openFile(const QString& path);
+
+    void enter(Room room);
 
     // Opens the accuracy lab on one of its questions, which it then measures.
     void openLab(Preset preset);
@@ -52,12 +47,9 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void buildTopBar();
     void buildCentre();
+    void furnishRooms();
     void buildShortcuts();
-    // givesWayTo: says which widget with the focus has the key itself.
-    void addShortcut(const QKeySequence& keys, std::function<void()> action,
-                     bool (*givesWayTo)(const QWidget*) = nullptr);
     void retranslate();
     void applyAppearance();
     void styleApplication();
@@ -68,21 +60,14 @@ private:
 
     Context m_context;
     Language& m_language;
-    QWidget* m_topBar = nullptr;
-    SceneChooser* m_scenes = nullptr;
-    IconButton* m_reset = nullptr;
-    QToolButton* m_projector = nullptr;
-    QToolButton* m_korean = nullptr;
-    QToolButton* m_english = nullptr;
+    TopBar* m_topBar = nullptr;
     MessageBar* m_message = nullptr;
     Divide* m_divide = nullptr;
     LanePanel* m_lane = nullptr;
-    QTabWidget* m_tabs = nullptr;
-    StepPanel* m_steps = nullptr;
-    QStackedWidget* m_attributes = nullptr; // the bodies', or the throw's
-    BodiesPanel* m_bodies = nullptr;
-    ThrowPanel* m_throw = nullptr;
-    LabPanel* m_lab = nullptr;
+    QStackedWidget* m_panels = nullptr;
+    Rail* m_rail = nullptr;
+    Shortcuts* m_shortcuts = nullptr;
+    bool m_isThrow = false; // what the attributes are of
 };
 
 } // namespace thetalane

@@ -1,4 +1,4 @@
-#include "ui/message_bar.h"
+#include "ui/window/message_bar.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -56,7 +56,7 @@ void MessageBar::applyAppearance() {
     layout()->setContentsMargins(2 * u, u / 2, u, u / 2);
     m_text->setFont(m_appearance.font(Appearance::Size::Normal));
     m_text->setStyleSheet(QStringLiteral("color: %1").arg(m_appearance.error().name()));
-    setStyleSheet(QStringLiteral("#messageBar { background: #FCEDED; }"));
+    setStyleSheet(QStringLiteral("#messageBar { background: %1; }").arg(m_appearance.errorGround().name()));
 }
 
 } // namespace thetalane
