@@ -64,6 +64,13 @@ QString outputOption(Arguments& a) {
     return path;
 }
 
+QString roomList() {
+    QStringList names;
+    for (const std::string_view id : roomIds)
+        names << QString::fromUtf8(id.data(), qsizetype(id.size()));
+    return names.join(QStringLiteral(", "));
+}
+
 // As the window will run it, as far as is asked.
 std::optional<QString> collisionFault(const Scene& scene, std::size_t asked) {
     EngineSettings settings;
@@ -95,13 +102,18 @@ std::variant<int, PictureRequest> readPictureCall(const Call& call) {
     a.takesValue("lab", "1-6",
                  PictureText::tr("opens the accuracy lab on its question 1 to 6, measured here and now"));
     a.takesValue("size", "WxH", PictureText::tr("of the picture, in pixels; 1280x800 unless said"));
+    a.takesValue("panel", "NAME", PictureText::tr("the panel to open: %1").arg(roomList()));
     a.takesFlag("projector", PictureText::tr("larger, for the back row of a class"));
+    a.takesFlag("dark", PictureText::tr("light on dark"));
     if (const auto status = a.read(call.arguments))
         return *status;
 
     PictureRequest request;
     request.window.language = call.language;
     request.window.projector = a.has("projector");
+    request.window.dark = a.has("dark");
+    if (a.has("panel"))
+        request.room = Room{a.choice("panel", 0, roomIds)};
     request.output = outputOption(a);
     request.at = a.number("at", 0, {.low = 0, .lowOpen = false});
     if (a.has("at") && a.has("collision"))

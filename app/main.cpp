@@ -53,10 +53,11 @@ QString globalHelp(const Arguments& window) {
 
 // The call without a command: --help, --version, or the window. Status to leave with, or what to open.
 std::variant<int, WindowRequest> readWindowCall(const Call& call) {
-    Arguments a("[COMMAND] [--scene SCENE] [--projector]",
+    Arguments a("[COMMAND] [--scene SCENE] [--projector] [--dark]",
                 MainText::tr("Opens the window, or does what the command says without one."));
     a.takesValue("scene", "SCENE", MainText::tr("what to open: a built-in name or a scene file"));
     a.takesFlag("projector", MainText::tr("larger, for the back row of a class"));
+    a.takesFlag("dark", MainText::tr("light on dark"));
     a.takesFlag("version", MainText::tr("prints the version"));
     if (call.arguments.contains("--help") || call.arguments.contains("-h")) {
         print(globalHelp(a));
@@ -70,6 +71,7 @@ std::variant<int, WindowRequest> readWindowCall(const Call& call) {
     }
     WindowRequest request;
     request.projector = a.has("projector");
+    request.dark = a.has("dark");
     if (a.has("language"))
         request.language = call.language;
     if (a.has("scene")) {

@@ -94,6 +94,8 @@ int runWindow(int& argc, char** argv, const WindowRequest& request) {
     window.restoreState();
     if (request.projector)
         app.appearance.setProjector(true);
+    if (request.dark)
+        app.appearance.setDark(true);
     window.show();
     return QApplication::exec();
 }
@@ -106,6 +108,7 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     MainWindow window(app.context(), app.language);
     window.setReducedMotion(true);
     app.appearance.setProjector(request.window.projector);
+    app.appearance.setDark(request.window.dark);
     window.resize(windowSize(request.size, window.minimumSize()));
     window.show();
     QCoreApplication::processEvents();
@@ -118,6 +121,8 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
         app.session.waitFor(request.at);
         app.playhead.setTime(request.at);
     }
+    if (request.room)
+        window.enter(*request.room);
     if (request.lab) {
         window.openLab(Preset(*request.lab));
         while (window.isMeasuring())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "ui/rail/rooms.h"
 #include "ui/words/language.h"
 #include "ui/words/worked_steps.h"
 
@@ -19,6 +20,7 @@ struct WindowRequest {
     std::optional<Scene> scene;
     std::optional<Language::Code> language; // default: as last time, or the system's
     bool projector = false;
+    bool dark = false;
 };
 
 // Until the window is closed. Without a display: one line, and 1.
@@ -29,7 +31,8 @@ struct PictureRequest {
     double at = 0;                        // [s]; what is later than the last moment shown shows that
     std::optional<std::size_t> collision; // from 0; there are that many
     Stage stage = Stage::Contact;
-    std::optional<int> lab; // a question of the accuracy lab, from 0: measured, and open
+    std::optional<Room> room; // to be open
+    std::optional<int> lab;   // a question of the accuracy lab, from 0: measured, and open
     QSize size{1280, 800};
     QString output; // a .png
 };

@@ -593,6 +593,10 @@ after %2 s: off by %3 m</source>
         <source>must be ko or en, is &quot;%1&quot;</source>
         <translation>ko 또는 en이어야 하는데 &quot;%1&quot;입니다</translation>
     </message>
+    <message>
+        <source>light on dark</source>
+        <translation>어두운 바탕에 밝은 글자</translation>
+    </message>
 </context>
 <context>
     <name>MapCommandText</name>
@@ -1030,6 +1034,14 @@ after %2 s: off by %3 m</source>
     <message>
         <source>opens the accuracy lab on its question 1 to 6, measured here and now</source>
         <translation>정확도 실험실을 열어 질문 1–6 가운데 하나를 그 자리에서 측정합니다</translation>
+    </message>
+    <message>
+        <source>the panel to open: %1</source>
+        <translation>열어 둘 패널: %1</translation>
+    </message>
+    <message>
+        <source>light on dark</source>
+        <translation>어두운 바탕에 밝은 글자</translation>
     </message>
 </context>
 <context>
@@ -2988,6 +3000,22 @@ after %2 s: off by %3 m</source>
         <source>Speed against accuracy, measured</source>
         <translation>속도와 정확도, 재어 본 값</translation>
     </message>
+    <message>
+        <source>What this term means; the keys</source>
+        <translation>용어의 뜻과 단축키</translation>
+    </message>
+    <message>
+        <source>The first panel; with 2, 3, … the next ones</source>
+        <translation>첫 번째 패널, 2, 3, …은 그다음 패널</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>용어</translation>
+    </message>
+    <message>
+        <source>The terms explained, and the keys (F1)</source>
+        <translation>용어 풀이와 단축키 (F1)</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::MessageBar</name>
@@ -3454,6 +3482,33 @@ after %2 s: off by %3 m</source>
     <message>
         <source>The run goes on until %1; choose a longer or a shorter one</source>
         <translation>%1까지의 운동을 계산합니다. 더 길거나 짧은 시간을 고를 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::WordsPanel</name>
+    <message>
+        <source>Search the terms</source>
+        <translation>용어 찾기</translation>
+    </message>
+    <message>
+        <source>Shows the terms that contain these letters</source>
+        <translation>이 글자가 든 용어만 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Terms and keys</source>
+        <translation>용어와 단축키</translation>
+    </message>
+    <message>
+        <source>No term contains these letters.</source>
+        <translation>이 글자가 든 용어가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Terms</source>
+        <translation>용어</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>단축키</translation>
     </message>
 </context>
 <context>

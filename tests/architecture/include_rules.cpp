@@ -15,7 +15,7 @@ constexpr Room rooms[] = {
     {"core/math", 0},     {"core/collision", 1}, {"core/motion", 1},  {"core/scene", 2},
     {"core/timeline", 3}, {"core/engine", 4},    {"core/bowling", 5}, {"core/study", 6},
     {"core/format", 7},   {"ui/words", 8},       {"ui/plot", 9},      {"ui/lane", 11},
-    {"ui/steps", 11},     {"ui/panels", 11},     {"ui/lab", 12},      {"ui/rail", 11},
+    {"ui/steps", 11},     {"ui/panels", 11},     {"ui/lab", 12},      {"ui/rail", 11},      {"ui/help", 12},
     {"ui/window", 13},    {"ui", 10},          {"app", 14},
 };
 

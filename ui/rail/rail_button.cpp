@@ -1,5 +1,7 @@
 #include "ui/rail/rail_button.h"
 
+#include "ui/rail/room_icons.h"
+
 #include <QFontMetrics>
 #include <QPainter>
 

@@ -1,7 +1,8 @@
 // The rooms beside the lane: what a panel there is about, and how its entry looks.
 #pragma once
 
-#include <QPainterPath>
+#include <array>
+#include <string_view>
 
 namespace thetalane {
 
@@ -22,8 +23,9 @@ enum class Room {
     Words, // what they mean, and the keys
 };
 inline constexpr int roomCount = 13;
-
-// To be filled, on a grid of 24 by 24.
-QPainterPath roomIcon(Room room);
+// What they are called on the command line, and in lessons.
+inline constexpr std::array<std::string_view, roomCount> roomIds{
+    "lessons", "steps", "collisions", "attributes", "predict",  "tables", "game",
+    "chain",   "map",   "practice",   "statistics", "accuracy", "words"};
 
 } // namespace thetalane

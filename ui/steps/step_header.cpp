@@ -1,5 +1,7 @@
 #include "ui/steps/step_header.h"
 
+#include "ui/words/glossary.h"
+
 #include <QEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
@@ -16,6 +18,9 @@ StepHeader::StepHeader(const Appearance& appearance, Stage stage, QWidget* paren
     , m_appearance(appearance)
     , m_stage(stage) {
     setObjectName(QStringLiteral("stepHeader%1").arg(int(stage)));
+    static constexpr const char* terms[] = {"contact",  "velocity-split", "rotation",
+                                            "exchange", "rotation-back",  "momentum-conservation"};
+    setProperty(termProperty, terms[int(stage)]);
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);
     setAttribute(Qt::WA_Hover);

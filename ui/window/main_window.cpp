@@ -1,6 +1,8 @@
 #include "ui/window/main_window.h"
 
 #include "core/format/scene_file.h"
+#include "ui/help/term_help.h"
+#include "ui/help/words_panel.h"
 #include "ui/lab/lab_panel.h"
 #include "ui/lane/lane_panel.h"
 #include "ui/panels/bodies_panel.h"
@@ -58,6 +60,7 @@ MainWindow::MainWindow(const Context& context, Language& language, QWidget* pare
     buildCentre();
     furnishRooms();
     buildShortcuts();
+    m_terms = new TermHelp(*this);
     connect(&m_context.session, &Session::runChanged, this,
             [this](const std::shared_ptr<const Run>& run) { showPanelsFor(*run); });
     connect(&m_context.playhead, &Playhead::selectionChanged, this, &MainWindow::openSelection);
@@ -106,18 +109,40 @@ void MainWindow::buildCentre() {
 
 void MainWindow::furnishRooms() {
     m_rail->furnish(Room::Steps, [this](QWidget* parent) { return new StepPanel(m_context, parent); });
-    m_rail->furnish(Room::Collisions, [this](QWidget* parent) { return new CollisionList(m_context, parent); });
+    m_rail->furnish(Room::Collisions,
+                    [this](QWidget* parent) { return new CollisionList(m_context, parent); });
     m_rail->furnish(Room::Attributes, [this](QWidget* parent) {
         auto* attributes = new Attributes(m_context, parent);
         attributes->show(m_isThrow);
         return attributes;
     });
     m_rail->furnish(Room::Accuracy, [this](QWidget* parent) { return new LabPanel(m_context, parent); });
+    m_rail->furnish(Room::Words, [this](QWidget* parent) {
+        return new WordsPanel(
+            m_context,
+            [this] {
+                std::vector<KeyLine> lines;
+                for (const Shortcut& s : m_shortcuts->all())
+                    lines.push_back({s.keys, s.what()});
+                return lines;
+            },
+            parent);
+    });
     enter(Room::Steps);
 }
 
 void MainWindow::enter(Room room) {
     m_rail->enter(room);
+}
+
+void MainWindow::explainTerm() {
+    const QString term = m_terms->termOfNow();
+    enter(Room::Words);
+    auto* words = static_cast<WordsPanel*>(m_rail->panel(Room::Words));
+    if (term.isEmpty())
+        words->showKeys();
+    else
+        words->showTerm(term);
 }
 
 void MainWindow::buildShortcuts() {
@@ -161,6 +186,10 @@ void MainWindow::buildShortcuts() {
         Qt::Key_L, [] { return tr("한국어 or English"); }, [this] { toggleLanguage(); }, usesLetters);
     add(
         QKeySequence::Open, [] { return tr("Open a scene file"); }, [this] { chooseFile(); });
+    add(
+        Qt::Key_F1, [] { return tr("What this term means; the keys"); }, [this] { explainTerm(); });
+    m_shortcuts->mention(QKeySequence(Qt::ALT | Qt::Key_1),
+                         [] { return tr("The first panel; with 2, 3, … the next ones"); });
     for (int k = 0; k < 9; ++k)
         m_shortcuts->add({QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + k)), [] { return QString(); },
                           [this, k] {
@@ -245,6 +274,7 @@ void MainWindow::retranslate() {
     m_rail->setWords(Room::Collisions, tr("Collisions"), tr("All collisions"));
     m_rail->setWords(Room::Attributes, m_isThrow ? tr("Throw") : tr("Bodies"),
                      m_isThrow ? tr("The attributes of the throw") : tr("The attributes of the bodies"));
+    m_rail->setWords(Room::Words, tr("Words"), tr("The terms explained, and the keys (F1)"));
     m_rail->setWords(Room::Accuracy, tr("Accuracy"), tr("Speed against accuracy, measured"));
 }
 

@@ -15,6 +15,7 @@ class LanePanel;
 class MessageBar;
 class Rail;
 class Shortcuts;
+class TermHelp;
 class TopBar;
 enum class Preset;
 enum class Room;
@@ -35,6 +36,7 @@ public:
     void openFile(const QString& path);
 
     void enter(Room room);
+    void explainTerm(); // the one under the mouse, or of the widget with the focus
 
     // Opens the accuracy lab on one of its questions, which it then measures.
     void openLab(Preset preset);
@@ -67,6 +69,7 @@ private:
     QStackedWidget* m_panels = nullptr;
     Rail* m_rail = nullptr;
     Shortcuts* m_shortcuts = nullptr;
+    TermHelp* m_terms = nullptr;
     bool m_isThrow = false; // what the attributes are of
 };
 

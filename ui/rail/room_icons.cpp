@@ -1,4 +1,4 @@
-#include "ui/rail/rooms.h"
+#include "ui/rail/room_icons.h"
 
 #include <QPainterPathStroker>
 
@@ -139,10 +139,13 @@ QPainterPath accuracy() {
 
 QPainterPath words() {
     QPainterPath hook;
-    hook.moveTo(9, 9.2);
+    hook.moveTo(9, 9.4);
     hook.cubicTo(9, 5, 15.5, 5, 15.2, 9.3);
     hook.cubicTo(15, 11.6, 12, 11.6, 12, 14.2);
-    return stroked(disc({12, 12}, 9) + hook) | disc({12, 17.3}, 1.3);
+    QPainterPath all = stroked(disc({12, 12}, 9));
+    all.addPath(stroked(hook));
+    all.addPath(disc({12, 17.3}, 1.3));
+    return all;
 }
 
 } // namespace

@@ -1,0 +1,242 @@
+// The rail and its rooms, the glossary, the keys: driven by real clicks and keys.
+#include "ui/help/words_panel.h"
+#include "ui/rail/rail.h"
+#include "ui/rail/rail_button.h"
+#include "ui/window/main_window.h"
+#include "ui/words/glossary.h"
+
+#include <QHelpEvent>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QSet>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QToolTip>
+
+#include <cmath>
+
+using namespace thetalane;
+
+namespace {
+
+struct Program {
+    Language language;
+    Session session;
+    Appearance appearance;
+    Playhead playhead{session};
+    std::unique_ptr<MainWindow> window;
+
+    explicit Program(Language::Code code = Language::Code::English) {
+        language.use(code);
+        window = std::make_unique<MainWindow>(Context{session, playhead, appearance}, language);
+        window->setReducedMotion(true);
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    }
+    Rail& rail() { return *window->findChild<Rail*>("rail"); }
+    RailButton& button(Room room) {
+        return *window->findChild<RailButton*>(QString("room%1").arg(int(room)));
+    }
+    QWidget& panels() { return *window->findChild<QStackedWidget*>("panels"); }
+};
+
+// WCAG 2: relative luminance, contrast ratio.
+double luminance(const QColor& c) {
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+} // namespace
+
+class TestRail : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QCoreApplication::setOrganizationName("ThetaLaneTest");
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
+    }
+
+    void aClickEntersAndAnotherFoldsAway() {
+        Program p;
+        QVERIFY(p.panels().isVisible());
+        const int lane = p.window->findChild<QWidget*>("lanePanel")->width();
+        QTest::mouseClick(&p.button(Room::Words), Qt::LeftButton);
+        QCOMPARE(p.rail().current(), Room::Words);
+        QTest::mouseClick(&p.button(Room::Words), Qt::LeftButton);
+        QVERIFY(!p.panels().isVisible());
+        QVERIFY(!p.button(Room::Words).isChecked());
+        QTest::qWait(1);
+        QVERIFY(p.window->findChild<QWidget*>("lanePanel")->width() > lane + 200);
+        QTest::keyClick(p.window.get(), Qt::Key_F9);
+        QVERIFY(p.panels().isVisible());
+        QTest::mouseClick(&p.button(Room::Steps), Qt::LeftButton);
+        QCOMPARE(p.rail().current(), Room::Steps);
+        QVERIFY(!p.button(Room::Words).isChecked());
+    }
+
+    void roomsAreFurnishedWhenTheyAreEntered() {
+        Program p;
+        QVERIFY(!p.rail().isFurnished(Room::Accuracy));
+        QTest::mouseClick(&p.button(Room::Accuracy), Qt::LeftButton);
+        QVERIFY(p.rail().isFurnished(Room::Accuracy));
+    }
+
+    void keysGoThroughTheRooms() {
+        Program p;
+        int count = 0;
+        while (p.rail().offered(count))
+            ++count;
+        QVERIFY(count >= 5);
+        for (int k = 0; k < std::min(count, 9); ++k) {
+            QTest::keyClick(p.window.get(), Qt::Key(Qt::Key_1 + k), Qt::AltModifier);
+            QCOMPARE(p.rail().current(), *p.rail().offered(k));
+        }
+        p.button(*p.rail().offered(0)).setFocus();
+        QTest::keyClick(&p.button(*p.rail().offered(0)), Qt::Key_Down);
+        QVERIFY(p.button(*p.rail().offered(1)).hasFocus());
+        QTest::keyClick(&p.button(*p.rail().offered(1)), Qt::Key_Space);
+        QCOMPARE(p.rail().current(), *p.rail().offered(1));
+        QVERIFY(!p.playhead.playing());
+    }
+
+    void aShortRailShowsIconsAlone() {
+        Program p;
+        p.appearance.setProjector(true);
+        p.window->resize(1024, 600);
+        QTest::qWait(1);
+        for (int k = 0; p.rail().offered(k); ++k) {
+            const RailButton& button = p.button(*p.rail().offered(k));
+            QVERIFY(button.height() >= 36);
+            QVERIFY(button.geometry().bottom() <= p.rail().height());
+            QVERIFY(!button.toolTip().isEmpty() && !button.accessibleName().isEmpty());
+        }
+    }
+
+    // Every entry in both languages; a Korean explanation holds no English but symbols and units.
+    void theGlossaryIsWhole() {
+        const auto english = glossary(Language::Code::English), korean = glossary(Language::Code::Korean);
+        QVERIFY(english.size() >= 40);
+        QCOMPARE(english.size(), korean.size());
+        static const QRegularExpression words("[A-Za-z]{4,}"), hangul("[가-힣]");
+        QSet<QString> ids;
+        for (std::size_t k = 0; k < english.size(); ++k) {
+            QCOMPARE(english[k].id, korean[k].id);
+            QVERIFY2(!ids.contains(english[k].id), qPrintable(english[k].id));
+            ids << english[k].id;
+            QCOMPARE(english[k].term, korean[k].otherTerm);
+            QVERIFY(!english[k].text.contains(hangul) && english[k].text.endsWith('.'));
+            QVERIFY2(!korean[k].text.contains(words), qPrintable(korean[k].text));
+            QVERIFY2(korean[k].text.contains(hangul) && korean[k].text.endsWith("다."),
+                     qPrintable(korean[k].text));
+        }
+    }
+
+    // What a widget says it is about is in the glossary.
+    void everyTermIsExplained() {
+        Program p;
+        for (int k = 0; p.rail().offered(k); ++k)
+            p.window->enter(*p.rail().offered(k));
+        int said = 0;
+        for (const QWidget* w : p.window->findChildren<QWidget*>())
+            if (const QString term = w->property(termProperty).toString(); !term.isEmpty()) {
+                QVERIFY2(glossaryEntry(term), qPrintable(term));
+                ++said;
+            }
+        QVERIFY(said >= 6);
+    }
+
+    void f1OpensTheTermWithTheFocus() {
+        Program p;
+        p.playhead.select(0);
+        auto* header = p.window->findChild<QWidget*>("stepHeader3");
+        header->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(header, Qt::Key_F1);
+        QCOMPARE(p.rail().current(), Room::Words);
+        auto* text = p.window->findChild<QTextBrowser*>("terms");
+        QVERIFY(text->verticalScrollBar()->value() > 0);
+        const QString atTop = text->cursorForPosition(QPoint(2, 8)).block().text();
+        QVERIFY2(atTop.contains("1-D exchange"), qPrintable(atTop));
+    }
+
+    void aPauseOfTheMouseExplains() {
+        Program p(Language::Code::Korean);
+        p.playhead.select(0);
+        auto* header = p.window->findChild<QWidget*>("stepHeader2");
+        QHelpEvent pause(QEvent::ToolTip, QPoint(5, 5), header->mapToGlobal(QPoint(5, 5)));
+        QCoreApplication::sendEvent(header, &pause);
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("좌표축의 회전")), qPrintable(QToolTip::text()));
+        QToolTip::hideText();
+    }
+
+    void theSearchFindsEitherLanguage() {
+        Program p(Language::Code::Korean);
+        QTest::keyClick(p.window.get(), Qt::Key_F1);
+        auto* search = p.window->findChild<QLineEdit*>("searchTerms");
+        auto* text = p.window->findChild<QTextBrowser*>("terms");
+        QVERIFY(text->toPlainText().contains("Ctrl+"));
+        search->setFocus();
+        QTest::keyClicks(search, "RESTITUTION");
+        QVERIFY(text->toPlainText().contains(QStringLiteral("반발 계수")));
+        QVERIFY(!text->toPlainText().contains(QStringLiteral("질량 중심")));
+        search->clear();
+        QTest::keyClicks(search, "qqq");
+        QVERIFY(text->toPlainText().contains(QStringLiteral("없습니다")));
+    }
+
+    // Text that carries meaning is read on every ground, in every look (WCAG AA: 4.5).
+    void coloursOfTextStandOut() {
+        Appearance look;
+        for (const bool dark : {false, true})
+            for (const bool projector : {false, true}) {
+                look.setDark(dark);
+                look.setProjector(projector);
+                for (const QColor& ground : {look.card(), look.window(), look.floor()}) {
+                    for (const Ink role :
+                         {Ink::First, Ink::Second, Ink::Along, Ink::Across, Ink::Triangle, Ink::Plain})
+                        QVERIFY2(contrast(look.textInk(role), ground) >= 4.5,
+                                 qPrintable(QString("%1 %2 %3: %4")
+                                                .arg(int(role))
+                                                .arg(dark)
+                                                .arg(ground.name())
+                                                .arg(contrast(look.textInk(role), ground))));
+                    QVERIFY(contrast(look.text(), ground) >= 7);
+                    QVERIFY(contrast(look.quietText(), ground) >= 4.5);
+                    QVERIFY(contrast(look.accent(), ground) >= 4.5);
+                }
+                QVERIFY(contrast(look.error(), look.errorGround()) >= 4.5);
+                QVERIFY(contrast(look.accent(), look.card()) >= 4.5); // what is written on it
+            }
+    }
+
+    void darkIsRemembered() {
+        {
+            Program p;
+            QVERIFY(!p.appearance.dark());
+            QTest::keyClick(p.window.get(), Qt::Key_D);
+            QVERIFY(p.appearance.dark());
+            QVERIFY(p.window->close());
+        }
+        Program p;
+        p.window->restoreState();
+        QVERIFY(p.appearance.dark());
+    }
+
+private:
+    QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(TestRail)
+#include "test_rail.moc"

@@ -1,0 +1,30 @@
+// The terms of the field, each explained in a sentence or two.
+#pragma once
+
+#include "ui/words/language.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace thetalane {
+
+// Both languages stand beside each other in glossary.json: who learns a term looks for the other one, too.
+struct GlossaryEntry {
+    QString id; // "restitution": widgets name their term by it
+    QString term;
+    QString otherTerm; // in the other language
+    QString text;
+};
+
+// In an order in which they can be read: the collision and its five steps, momentum and energy, the lane, the
+// game, the computation.
+std::vector<GlossaryEntry> glossary(Language::Code language);
+
+// In the language of now; nothing where there is no such term.
+const GlossaryEntry* glossaryEntry(const QString& id);
+
+// The dynamic property by which a widget says which term it, and what stands in it, is about.
+inline constexpr const char* termProperty = "term";
+
+} // namespace thetalane
