@@ -3016,6 +3016,10 @@ after %2 s: off by %3 m</source>
         <source>The terms explained, and the keys (F1)</source>
         <translation>용어 풀이와 단축키 (F1)</translation>
     </message>
+    <message>
+        <source>Play the steps, or hold</source>
+        <translation>단계 재생 또는 멈춤</translation>
+    </message>
 </context>
 <context>
     <name>thetalane::MessageBar</name>
@@ -3243,6 +3247,14 @@ after %2 s: off by %3 m</source>
     <message>
         <source>digits left: %1</source>
         <translation>남은 자릿수: %1</translation>
+    </message>
+    <message>
+        <source>Hold this step (P)</source>
+        <translation>이 단계에서 멈추기 (P)</translation>
+    </message>
+    <message>
+        <source>Play the steps, each held a while (P)</source>
+        <translation>단계를 차례로 보여 주기 (P)</translation>
     </message>
 </context>
 <context>

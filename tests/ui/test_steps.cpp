@@ -57,6 +57,28 @@ class TestSteps : public QObject {
     Q_OBJECT
 
 private slots:
+    // Each stage holds; a hand on the keys takes over; after the last it begins anew.
+    void thePlayerGoesThroughTheStages() {
+        Bench b;
+        b.panel.player().setHold(40);
+        b.panel.player().setPlaying(true);
+        QVERIFY(!b.panel.player().playing()); // nothing is open
+        b.playhead.select(0);
+        auto* play = b.find<QToolButton>("playSteps");
+        QSignalSpy stages(&b.playhead, &Playhead::stageChanged);
+        QTest::mouseClick(play, Qt::LeftButton);
+        QVERIFY(b.panel.player().playing());
+        QTRY_COMPARE(int(b.playhead.stage()), stageCount - 1);
+        QVERIFY(!b.panel.player().playing());
+        QCOMPARE(stages.count(), stageCount - 1);
+        QTest::mouseClick(play, Qt::LeftButton);
+        QCOMPARE(int(b.playhead.stage()), 0);
+        QTRY_COMPARE(int(b.playhead.stage()), 1);
+        QTest::keyClick(&b.panel, Qt::Key_Down);
+        QVERIFY(!b.panel.player().playing());
+        QCOMPARE(int(b.playhead.stage()), 2);
+    }
+
     void fractionStandsOnTheAxis() {
         const Appearance appearance;
         const FormulaLayout layout(appearance, 20);

@@ -30,6 +30,25 @@ QIcon chevron(bool forward, const QColor& color, int pixels) {
     return QIcon(pixmap);
 }
 
+// A triangle to play, two bars to hold.
+QIcon playsStages(bool playing, const QColor& color, int pixels) {
+    constexpr int ratio = 3;
+    QPixmap pixmap(pixels * ratio, pixels * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    const double p = pixels;
+    if (playing)
+        for (const double x : {0.24, 0.56})
+            painter.drawRect(QRectF(x * p, 0.16 * p, 0.2 * p, 0.68 * p));
+    else
+        painter.drawPolygon(QPolygonF{{0.24 * p, 0.12 * p}, {0.86 * p, 0.5 * p}, {0.24 * p, 0.88 * p}});
+    return QIcon(pixmap);
+}
+
 QString coloured(const QColor& color, const QString& text) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(color.name(), text);
 }
@@ -41,7 +60,8 @@ StepPanel::StepPanel(const Context& context, QWidget* parent)
     , m_session(context.session)
     , m_playhead(context.playhead)
     , m_appearance(context.appearance)
-    , m_pages(new QStackedWidget(this)) {
+    , m_pages(new QStackedWidget(this))
+    , m_player(context.playhead) {
     setObjectName("stepPanel");
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(320);
@@ -59,6 +79,7 @@ StepPanel::StepPanel(const Context& context, QWidget* parent)
 
     connect(&m_playhead, &Playhead::selectionChanged, this, &StepPanel::showSelection);
     connect(&m_playhead, &Playhead::stageChanged, this, &StepPanel::showStage);
+    connect(&m_player, &StagePlayer::playingChanged, this, &StepPanel::showPlaying);
     connect(&m_session, &Session::runChanged, this, &StepPanel::showSelection);
     connect(&m_session, &Session::chapterChanged, this, &StepPanel::showSelection);
     connect(&m_session, &Session::progressed, this, &StepPanel::showPlace);
@@ -76,19 +97,23 @@ QWidget* StepPanel::makeHead() {
     m_partners->setObjectName("collisionPartners");
     m_partners->setTextFormat(Qt::RichText);
     m_partners->setWordWrap(true);
-    const auto button = [this](const char* name, int step) {
+    const auto button = [](const char* name) {
         auto* b = new QToolButton;
         b->setObjectName(name);
         b->setAutoRaise(true);
         b->setFocusPolicy(Qt::TabFocus);
-        connect(b, &QToolButton::clicked, this, [this, step] { m_playhead.stepCollisions(step); });
         return b;
     };
-    m_previous = button("previousCollision", -1);
-    m_next = button("nextCollision", 1);
+    m_play = button("playSteps");
+    m_previous = button("previousCollision");
+    m_next = button("nextCollision");
+    connect(m_play, &QToolButton::clicked, &m_player, &StagePlayer::toggle);
+    connect(m_previous, &QToolButton::clicked, this, [this] { m_playhead.stepCollisions(-1); });
+    connect(m_next, &QToolButton::clicked, this, [this] { m_playhead.stepCollisions(1); });
     auto* top = new QHBoxLayout;
     top->setSpacing(0);
     top->addWidget(m_title, 1);
+    top->addWidget(m_play);
     top->addWidget(m_previous);
     top->addWidget(m_next);
     auto* column = new QVBoxLayout(head);
@@ -165,12 +190,14 @@ void StepPanel::applyAppearance() {
             .arg(3 * unit)
             .arg(m_appearance.accent().darker(120).name(), m_appearance.text().name()));
     m_hint->setStyleSheet(QStringLiteral("color: %1").arg(m_appearance.quietText().name()));
-    for (QToolButton* b : {m_previous, m_next}) {
-        const int side = m_appearance.projector() ? 50 : 34;
+    const int side = m_appearance.projector() ? 50 : 34;
+    for (QToolButton* b : {m_play, m_previous, m_next}) {
         b->setFixedSize(side, side);
         b->setIconSize({side / 2, side / 2});
-        b->setIcon(chevron(b == m_next, m_appearance.text(), side / 2));
     }
+    for (QToolButton* b : {m_previous, m_next})
+        b->setIcon(chevron(b == m_next, m_appearance.text(), side / 2));
+    showPlaying();
     if (QLayout* head = m_title->parentWidget()->layout()) {
         head->setContentsMargins(2 * unit, unit, unit, unit);
         head->setSpacing(unit / 4);
@@ -191,6 +218,7 @@ void StepPanel::applyAppearance() {
 
 void StepPanel::retranslate() {
     setAccessibleName(tr("The steps of the collision"));
+    showPlaying();
     m_previous->setToolTip(tr("The collision before (Ctrl+←)"));
     m_previous->setAccessibleName(tr("The collision before"));
     m_next->setToolTip(tr("The next collision (Ctrl+→)"));
@@ -230,6 +258,15 @@ void StepPanel::showHead(const Collision& c) {
     m_partners->setText(facts.join(QStringLiteral(" · ")));
     m_instant->showCollision(*m_playhead.selected());
     showPlace();
+}
+
+void StepPanel::showPlaying() {
+    const bool playing = m_player.playing();
+    const int side = m_play->iconSize().width();
+    m_play->setIcon(playsStages(playing, m_appearance.accent(), side));
+    const QString words = playing ? tr("Hold this step (P)") : tr("Play the steps, each held a while (P)");
+    m_play->setToolTip(words);
+    m_play->setAccessibleName(words);
 }
 
 // How many there are is said when it is known.

@@ -3,8 +3,9 @@
 
 #include "ui/context.h"
 #include "ui/steps/instant_note.h"
-#include "ui/steps/trust.h"
+#include "ui/steps/stage_player.h"
 #include "ui/steps/step_card.h"
+#include "ui/steps/trust.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -23,6 +24,8 @@ public:
 
     void retranslate();
 
+    StagePlayer& player() { return m_player; }
+
 protected:
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -38,6 +41,7 @@ private:
     void showStage();
     void showHead(const Collision& collision);
     void showPlace();
+    void showPlaying();
     void arrangeCards();
     void applyAppearance();
 
@@ -49,6 +53,8 @@ private:
     QLabel* m_partners = nullptr;
     InstantNote* m_instant = nullptr;
     Trust m_trust;
+    StagePlayer m_player;
+    QToolButton* m_play = nullptr;
     QToolButton* m_previous = nullptr;
     QToolButton* m_next = nullptr;
     QScrollArea* m_scroll = nullptr;

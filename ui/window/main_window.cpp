@@ -171,6 +171,13 @@ void MainWindow::buildShortcuts() {
         Qt::Key_Down, [] { return tr("The next step of the collision"); }, [&] { playhead.stepStage(+1); },
         usesArrows);
     add(
+        Qt::Key_P, [] { return tr("Play the steps, or hold"); },
+        [this] {
+            enter(Room::Steps);
+            static_cast<StepPanel*>(m_rail->panel(Room::Steps))->player().toggle();
+        },
+        usesLetters);
+    add(
         Qt::Key_Escape, [] { return tr("Close the collision"); }, [&] { playhead.clearSelection(); });
     add(
         Qt::Key_R, [] { return tr("Reset the scene"); }, [this] { m_context.session.reset(); }, usesLetters);
