@@ -125,7 +125,7 @@ void InstantNote::say() {
     m_why->setText(instantQuestion(m_instant));
     m_why->setAccessibleName(instantQuestion(m_instant));
     const QString rule = instantRule(m_instant, m_context.session.run()->settings);
-    m_why->setToolTip(rule + QStringLiteral(" (F1)"));
+    m_why->setToolTip(rule);
     m_rule->setText(rule);
     const auto collisions = m_context.session.timeline().collisions();
     const int more = int(m_instant.passSize - 1 - m_links.size());

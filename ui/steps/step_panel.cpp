@@ -361,9 +361,6 @@ void StepPanel::keyPressEvent(QKeyEvent* event) {
     if (m_playhead.selected() && plain && (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)) {
         m_playhead.stepStage(event->key() == Qt::Key_Down ? 1 : -1);
         event->accept();
-    } else if (event->key() == Qt::Key_F1 && m_instant->isVisible()) {
-        m_instant->explain(!m_instant->isExplained());
-        event->accept();
     } else {
         QWidget::keyPressEvent(event);
     }
