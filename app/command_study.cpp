@@ -35,6 +35,7 @@ void declare(Arguments& a) {
         "scene", "rack|bowling",
         StudyCommandText::tr("of throws: the rack without friction, or the whole lane; rack unless said"));
     a.takesValue("seed", "S", StudyCommandText::tr("of the throws; 2026 unless said"));
+    a.takesValue("restitution", "E", StudyCommandText::tr("of throws: between bodies; 0.75 unless said"));
     a.takesValue("until", "S", StudyCommandText::tr("of a SCENE: the time to run [s]; 10 unless said"));
     a.takesValue(
         "methods", "quick|standard|all",
@@ -96,7 +97,7 @@ void readFiles(Arguments& a, MethodsCall& call) {
 // Without the files: those do not change what is measured.
 QString repeatable(const Arguments& a) {
     QString text = "thetalane study " + a.positional();
-    for (const char* option : {"scene", "throws", "seed", "until", "methods", "threads"})
+    for (const char* option : {"scene", "throws", "seed", "restitution", "until", "methods", "threads"})
         if (a.has(option))
             text += QString(" --%1 %2").arg(option, a.value(option));
     return text;
@@ -108,9 +109,11 @@ Outcome studyOfThrows(Arguments& a, MethodsCall call) {
     const int count = int(countUpTo(a, "throws", lane ? 1000 : standardThrows, mostThrows));
     call.seed = seedOption(a);
     call.throws = true;
+    const double e = a.number("restitution", defaultPinRestitution,
+                              {.low = 0, .high = 1, .lowOpen = false, .highOpen = false});
     if (const auto status = a.faults())
         return *status;
-    call.cases = lane ? laneThrows(count, call.seed) : rackThrows(count, call.seed);
+    call.cases = lane ? laneThrows(count, call.seed, e) : rackThrows(count, call.seed, e);
     call.title = (lane ? StudyCommandText::tr("%1 throws on the whole lane, seed %2")
                        : StudyCommandText::tr("%1 throws at the rack, seed %2"))
                      .arg(count)
@@ -119,7 +122,7 @@ Outcome studyOfThrows(Arguments& a, MethodsCall call) {
 }
 
 Outcome studyOfScene(Arguments& a, MethodsCall call) {
-    needs(a, a.positional(), {"throws", "seed", "scene", "quick"});
+    needs(a, a.positional(), {"throws", "seed", "scene", "restitution", "quick"});
     const double until = a.number("until", 10, positive);
     if (const auto status = a.faults())
         return *status;
@@ -153,7 +156,8 @@ Outcome readStudyCall(const Call& call) {
         return studyOfThrows(a, std::move(methods));
     if (a.positional() != "extremes")
         return studyOfScene(a, std::move(methods));
-    needs(a, "extremes", {"throws", "seed", "scene", "until", "methods", "threads", "picture"});
+    needs(a, "extremes",
+          {"throws", "seed", "scene", "restitution", "until", "methods", "threads", "picture"});
     if (const auto status = a.faults())
         return *status;
     return studyOfExtremes(a.has("quick"), methods.csv);

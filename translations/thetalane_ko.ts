@@ -1759,6 +1759,10 @@ after %2 s: off by %3 m</source>
         <source>%1 throws at the rack, seed %2</source>
         <translation>핀 열 개를 향한 투구 %1번, 씨앗값 %2</translation>
     </message>
+    <message>
+        <source>of throws: between bodies; 0.75 unless said</source>
+        <translation>투구의 경우, 물체 사이의 반발 계수. 지정하지 않으면 0.75</translation>
+    </message>
 </context>
 <context>
     <name>StudyMethodsText</name>

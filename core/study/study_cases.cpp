@@ -55,8 +55,8 @@ bool reachesThePins(const Throw& t) {
 
 } // namespace
 
-StudyCases rackThrows(int count, std::uint64_t seed) {
-    constexpr double speed = 6.8, restitution = 0.75;
+StudyCases rackThrows(int count, std::uint64_t seed, double restitution) {
+    constexpr double speed = 6.8;
     Dice dice(seed);
     StudyCases cases;
     cases.until = 2;
@@ -68,14 +68,14 @@ StudyCases rackThrows(int count, std::uint64_t seed) {
     return cases;
 }
 
-StudyCases laneThrows(int count, std::uint64_t seed) {
+StudyCases laneThrows(int count, std::uint64_t seed, double restitution) {
     Dice dice(seed);
     StudyCases cases;
     cases.until = 6;
     while (int(cases.scenes.size()) < count) {
         const Throw t = drawnThrow(dice);
         if (reachesThePins(t))
-            cases.scenes.push_back(bowlingScene(t));
+            cases.scenes.push_back(bowlingScene(t, restitution));
     }
     return cases;
 }
