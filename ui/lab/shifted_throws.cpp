@@ -1,7 +1,6 @@
 #include "ui/lab/shifted_throws.h"
 
-#include "core/study/compare_runs.h"
-#include "core/study/measure_cost.h"
+#include "core/study/sum_up.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,47 +8,6 @@
 
 namespace thetalane {
 namespace {
-
-PositionError positionError(const std::vector<CaseError>& errors, std::size_t time) {
-    std::vector<double> values;
-    double squares = 0, worst = 0;
-    for (const CaseError& e : errors) {
-        values.push_back(e.position[time]);
-        squares += e.position[time] * e.position[time];
-        worst = std::max(worst, e.position[time]);
-    }
-    return {quartilesOf(std::move(values)).median, std::sqrt(squares / double(errors.size())), worst};
-}
-
-void sumUp(MethodResult& r, const std::vector<CaseError>& errors) {
-    if (errors.empty())
-        return;
-    const double n = double(errors.size());
-    r.state = MethodState::Measured;
-    r.cases = errors.size();
-    const auto mean = [&](auto value) {
-        double sum = 0;
-        for (const CaseError& e : errors)
-            sum += double(value(e));
-        return sum / n;
-    };
-    r.sameTouched = mean([](const CaseError& e) { return e.sameTouched; });
-    r.sameDown = mean([](const CaseError& e) { return e.sameDown; });
-    r.sameOrder = mean([](const CaseError& e) { return e.firstDifference < 0; });
-    r.missed = mean([](const CaseError& e) { return e.missed; });
-    r.repeated = mean([](const CaseError& e) { return e.repeated; });
-    r.collisions = mean([](const CaseError& e) { return e.collisions; });
-    std::vector<double> indices, times;
-    for (const CaseError& e : errors)
-        if (e.firstDifference >= 0) {
-            indices.push_back(e.firstDifference);
-            times.push_back(e.differenceTime);
-        }
-    r.firstDifference = quartilesOf(std::move(indices));
-    r.differenceTime = quartilesOf(std::move(times));
-    for (std::size_t k = 0; k < studyTimes; ++k)
-        r.errors[k] = positionError(errors, k);
-}
 
 StudyResult emptyResult(const LabPlan& plan) {
     StudyResult result;
