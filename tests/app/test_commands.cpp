@@ -399,48 +399,6 @@ private slots:
         }
     }
 
-    void aPictureHasTheSizeAskedFor() {
-        QTemporaryDir dir;
-        const QString path = dir.filePath("picture.png");
-        // Less than the window's least size, as much as that and more; on a screen of double density.
-        for (const QString size : {"320x400", "640x480", "800x560", "1280x800"}) {
-            const Outcome o = call(
-                {"picture", "rack", "--collision", "2", "--size", size, "--output", path, "--language", "en"},
-                {}, {"QT_SCALE_FACTOR=2"});
-            if (o.error.contains("without the window"))
-                return; // nothing can draw
-            QVERIFY2(o.status == 0 && o.error.isEmpty(), qPrintable(o.error));
-            QFile file(path);
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray head = file.read(24); // of a PNG: width and height are its last eight bytes
-            QCOMPARE(QString("%1x%2")
-                         .arg(qFromBigEndian<quint32>(head.data() + 16))
-                         .arg(qFromBigEndian<quint32>(head.data() + 20)),
-                     size);
-        }
-    }
-
-    void aPictureThatDoesNotFitLeavesTheOldOne() {
-        QTemporaryDir dir;
-        const QString path = dir.filePath("picture.png");
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("old") == 3);
-        file.close();
-        QProcess process;
-        process.setEnvironment({"PATH=/usr/bin:/bin"});
-        // A file may grow to 4 KiB, as on a disk that is nearly full.
-        process.start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; exec \"$0\" picture rack --output \"$1\"",
-                                  THETALANE_PROGRAM, path});
-        QVERIFY(process.waitForFinished(60'000));
-        QCOMPARE(process.exitCode(), 1);
-        const QString error = QString::fromUtf8(process.readAllStandardError());
-        QVERIFY2(isOneLine(error), qPrintable(error));
-        QVERIFY2(error.contains("too large") || error.contains("without the window"), qPrintable(error));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(file.readAll(), QByteArray("old"));
-        QCOMPARE(QDir(dir.path()).entryList(QDir::Files), QStringList("picture.png"));
-    }
-
     void columnsLineUpWithKoreanNames() {
         Scene scene = *builtinScene("two-balls");
         scene.bodies[0].id = "빨간 공";
