@@ -90,6 +90,8 @@ int runWindow(int& argc, char** argv, const WindowRequest& request) {
         return failure(
             WindowText::tr("no display answers; thetalane --help lists the commands that need none"));
     app.open(request);
+    // Before the window has a palette of its own: the system's, at first.
+    app.appearance.setDark(QGuiApplication::palette().color(QPalette::Window).lightness() < 128);
     MainWindow window(app.context(), app.language);
     window.restoreState();
     if (request.projector)

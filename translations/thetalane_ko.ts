@@ -3469,14 +3469,6 @@ after %2 s: off by %3 m</source>
         <translation>처음으로 되돌리기 (R)</translation>
     </message>
     <message>
-        <source>Dark or light</source>
-        <translation>어두운 화면/밝은 화면</translation>
-    </message>
-    <message>
-        <source>Dark or light (D)</source>
-        <translation>어두운 화면/밝은 화면 (D)</translation>
-    </message>
-    <message>
         <source>Projector</source>
         <translation>프로젝터</translation>
     </message>
@@ -3487,6 +3479,18 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Language of everything (L)</source>
         <translation>화면의 언어 (L)</translation>
+    </message>
+    <message>
+        <source>Dark or light, and how much moves</source>
+        <translation>어두운 화면/밝은 화면, 움직임 줄이기</translation>
+    </message>
+    <message>
+        <source>Dark (D)</source>
+        <translation>어두운 화면 (D)</translation>
+    </message>
+    <message>
+        <source>Less motion: nothing flies or turns by itself</source>
+        <translation>움직임 줄이기: 화면이 저절로 움직이거나 돌지 않습니다</translation>
     </message>
 </context>
 <context>

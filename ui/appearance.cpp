@@ -32,6 +32,13 @@ void Appearance::setProjector(bool on) {
     emit changed();
 }
 
+void Appearance::setReducedMotion(bool on) {
+    if (on == m_reducedMotion)
+        return;
+    m_reducedMotion = on;
+    emit changed();
+}
+
 void Appearance::setDark(bool on) {
     if (on == m_dark)
         return;
@@ -199,6 +206,12 @@ QString Appearance::styleSheet() const {
         QToolButton:hover { background: @hover; }
         QToolButton:pressed { background: @line; }
         QToolButton:checked { color: @accent; background: @hover; }
+        QToolButton::menu-indicator { image: none; width: 0; }
+        QMenu { background: @card; color: @text; border: 1px solid @line; padding: 4px 0; font-size: @normalpx; }
+        QMenu::item { min-height: @tappx; padding: 0 24px 0 28px; }
+        QMenu::item:selected { background: @accent; color: @card; }
+        QMenu::item:disabled { color: @quiet; background: transparent; }
+        QMenu::separator { height: 1px; background: @line; margin: 4px 0; }
         QToolButton:focus { border-color: @accent; }
         QSplitter::handle { background: @line; width: 1px; }
     )");

@@ -24,7 +24,7 @@ public:
 
     // For pictures, and for people who prefer it: nothing glides, everything is at once where it goes.
     bool reducedMotion() const { return m_reducedMotion; }
-    void setReducedMotion(bool on) { m_reducedMotion = on; }
+    void setReducedMotion(bool on);
 
     // Okabe-Ito, safe for colour-blind eyes; the same meaning on the lane, the cards, in formulas and tables.
     QColor ink(Ink role) const;     // for lines and fills

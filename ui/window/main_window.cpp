@@ -303,6 +303,7 @@ void MainWindow::restoreState() {
     restoreGeometry(settings.value("window/geometry").toByteArray());
     m_divide->recall(settings.value("window/divide").toByteArray());
     m_context.appearance.setProjector(settings.value("window/projector", false).toBool());
+    m_context.appearance.setReducedMotion(settings.value("window/lessMotion", false).toBool());
     m_context.appearance.setDark(settings.value("window/dark", m_context.appearance.dark()).toBool());
 }
 
@@ -311,6 +312,7 @@ void MainWindow::saveState() const {
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/divide", m_divide->remembered());
     settings.setValue("window/projector", m_context.appearance.projector());
+    settings.setValue("window/lessMotion", m_context.appearance.reducedMotion());
     settings.setValue("window/dark", m_context.appearance.dark());
     settings.setValue("language", Language::toString(m_language.code()));
 }

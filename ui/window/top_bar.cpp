@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QToolButton>
 
 namespace thetalane {
@@ -30,7 +31,10 @@ TopBar::TopBar(const Context& context, Language& language, QWidget* parent)
     , m_row(new QHBoxLayout(this))
     , m_scenes(new SceneChooser(context, this))
     , m_reset(new IconButton(context.appearance, Icon::Reset, "reset", this))
-    , m_dark(new IconButton(context.appearance, Icon::Moon, "dark", this))
+    , m_view(barButton("view", this))
+    , m_viewMenu(new QMenu(m_view))
+    , m_dark(m_viewMenu->addAction(QString()))
+    , m_stillness(m_viewMenu->addAction(QString()))
     , m_projector(barButton("projector", this))
     , m_korean(barButton("korean", this))
     , m_english(barButton("english", this)) {
@@ -40,13 +44,13 @@ TopBar::TopBar(const Context& context, Language& language, QWidget* parent)
     m_row->addStretch(1);
     m_row->addWidget(new EngineChooser(context, this));
     m_row->addStretch(1);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_dark, m_projector, m_korean, m_english})
+    for (QWidget* w : std::initializer_list<QWidget*>{m_view, m_projector, m_korean, m_english})
         m_row->addWidget(w);
 
     Appearance& look = m_context.appearance;
     connect(m_scenes, &SceneChooser::openFileRequested, this, &TopBar::openFileRequested);
     connect(m_reset, &IconButton::clicked, &m_context.session, &Session::reset);
-    connect(m_dark, &IconButton::clicked, &look, [&look] { look.setDark(!look.dark()); });
+    buildViewMenu();
     connect(m_projector, &QToolButton::clicked, &look, &Appearance::setProjector);
     connect(m_korean, &QToolButton::clicked, this, [this] { m_language.use(Language::Code::Korean); });
     connect(m_english, &QToolButton::clicked, this, [this] { m_language.use(Language::Code::English); });
@@ -55,13 +59,29 @@ TopBar::TopBar(const Context& context, Language& language, QWidget* parent)
     retranslate();
 }
 
+void TopBar::buildViewMenu() {
+    Appearance& look = m_context.appearance;
+    m_view->setCheckable(false);
+    m_view->setPopupMode(QToolButton::InstantPopup);
+    m_view->setMenu(m_viewMenu);
+    m_dark->setObjectName("dark");
+    m_stillness->setObjectName("lessMotion");
+    for (QAction* action : {m_dark, m_stillness})
+        action->setCheckable(true);
+    connect(m_dark, &QAction::triggered, &look, &Appearance::setDark);
+    connect(m_stillness, &QAction::triggered, &look, &Appearance::setReducedMotion);
+}
+
 void TopBar::addFirst(QWidget* widget) {
     m_row->insertWidget(0, widget);
 }
 
 void TopBar::retranslate() {
     m_reset->setWords(tr("Reset the scene"), tr("Reset the scene (R)"));
-    m_dark->setWords(tr("Dark or light"), tr("Dark or light (D)"));
+    m_view->setToolTip(tr("Dark or light, and how much moves"));
+    m_view->setAccessibleName(m_view->toolTip());
+    m_dark->setText(tr("Dark (D)"));
+    m_stillness->setText(tr("Less motion: nothing flies or turns by itself"));
     m_projector->setText(tr("Projector"));
     m_projector->setToolTip(tr("Large type and lines for a projector (F11)"));
     m_korean->setText("한국어");
@@ -78,6 +98,10 @@ void TopBar::restyle() {
     m_row->setContentsMargins(u, u / 2, u, u / 2);
     m_row->setSpacing(u);
     m_projector->setChecked(look.projector());
+    m_dark->setChecked(look.dark());
+    m_stillness->setChecked(look.reducedMotion());
+    m_view->setIcon(makeIcon(Icon::Moon, look.text(), look.quietText()));
+    m_view->setIconSize(QSize(2 * u, 2 * u));
     m_projector->setIcon(makeIcon(Icon::Projector, look.text(), look.quietText()));
     m_projector->setIconSize(QSize(2 * u, 2 * u));
 }

@@ -6,7 +6,9 @@
 
 #include <QWidget>
 
+class QAction;
 class QHBoxLayout;
+class QMenu;
 class QToolButton;
 
 namespace thetalane {
@@ -32,13 +34,17 @@ protected:
 private:
     void retranslate();
     void restyle();
+    void buildViewMenu();
 
     Context m_context;
     Language& m_language;
     QHBoxLayout* m_row;
     SceneChooser* m_scenes;
     IconButton* m_reset;
-    IconButton* m_dark;
+    QToolButton* m_view;
+    QMenu* m_viewMenu;
+    QAction* m_dark;
+    QAction* m_stillness; // less motion
     QToolButton* m_projector;
     QToolButton* m_korean;
     QToolButton* m_english;
