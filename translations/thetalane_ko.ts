@@ -560,6 +560,69 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>Leaves</name>
+    <message>
+        <source>10 pin</source>
+        <translation>10번 핀</translation>
+    </message>
+    <message>
+        <source>7 pin</source>
+        <translation>7번 핀</translation>
+    </message>
+    <message>
+        <source>Baby split 3-10</source>
+        <translation>베이비 스플릿 3-10</translation>
+    </message>
+    <message>
+        <source>Baby split 2-7</source>
+        <translation>베이비 스플릿 2-7</translation>
+    </message>
+    <message>
+        <source>Split 5-7</source>
+        <translation>스플릿 5-7</translation>
+    </message>
+    <message>
+        <source>Split 7-10</source>
+        <translation>스플릿 7-10</translation>
+    </message>
+    <message>
+        <source>Split 6-7-10</source>
+        <translation>스플릿 6-7-10</translation>
+    </message>
+    <message>
+        <source>Big four 4-6-7-10</source>
+        <translation>빅 포 4-6-7-10</translation>
+    </message>
+    <message>
+        <source>Bucket 2-4-5-8</source>
+        <translation>버킷 2-4-5-8</translation>
+    </message>
+    <message>
+        <source>Bucket 3-5-6-9</source>
+        <translation>버킷 3-5-6-9</translation>
+    </message>
+    <message>
+        <source>Washout 1-2-4-10</source>
+        <translation>워시아웃 1-2-4-10</translation>
+    </message>
+    <message>
+        <source>Washout 1-3-6-7</source>
+        <translation>워시아웃 1-3-6-7</translation>
+    </message>
+    <message>
+        <source>All ten pins</source>
+        <translation>핀 열 개 모두</translation>
+    </message>
+    <message>
+        <source>No pins</source>
+        <translation>핀 없음</translation>
+    </message>
+    <message>
+        <source>Pins %1</source>
+        <translation>핀 %1</translation>
+    </message>
+</context>
+<context>
     <name>MainText</name>
     <message>
         <source>%1: there is no such command;</source>
@@ -739,6 +802,93 @@ after %2 s: off by %3 m</source>
     <message>
         <source>must end in .png, is &quot;%1&quot;</source>
         <translation>.png로 끝나야 합니다. 입력한 값: &quot;%1&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>MapText</name>
+    <message>
+        <source>less than 1 s left</source>
+        <translation>1 s 안에 끝남</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>약 %1 s 남음</translation>
+    </message>
+    <message>
+        <source>In %1 % of the places no throw arrives: too little spin for the angle, or the lane too narrow.</source>
+        <translation>전체 칸의 %1 %에는 닿는 투구가 없습니다. 입사각을 만들기에 회전이 모자라거나 레인이 좁기 때문입니다.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>벗어난 거리</translation>
+    </message>
+    <message>
+        <source>Entry angle</source>
+        <translation>입사각</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">속력</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Ball weight</source>
+        <translation>볼 무게</translation>
+    </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation type="unfinished">분당 %1회전</translation>
+    </message>
+    <message>
+        <source>No throw arrives so.</source>
+        <translation>이렇게 들어오는 투구가 없습니다.</translation>
+    </message>
+    <message>
+        <source>10 pins down: a strike</source>
+        <translation>핀 10개 쓰러짐: 스트라이크</translation>
+    </message>
+    <message>
+        <source>No pin down</source>
+        <translation>쓰러진 핀 없음</translation>
+    </message>
+    <message>
+        <source>Pins down: %1; left standing: %2</source>
+        <translation>쓰러진 핀 %1개, 남은 핀 %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 throws</source>
+        <translation type="unfinished">투구 %2번 중 %1번</translation>
+    </message>
+    <message>
+        <source>Cancelled before there was a picture.</source>
+        <translation>그림이 나오기 전에 취소했습니다.</translation>
+    </message>
+    <message>
+        <source>%1 throws in %2 s, %3 strikes</source>
+        <translation>투구 %1번을 %2 s에 계산, 스트라이크 %3번</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, is %4</source>
+        <translation>%1: %2에서 %3까지여야 하는데 %4입니다</translation>
+    </message>
+    <message>
+        <source>Without friction spin does nothing; choose another quantity.</source>
+        <translation>마찰이 없으면 회전은 아무 영향이 없습니다. 다른 양을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Such a map cannot be made.</source>
+        <translation>이런 지도는 만들 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Each place is a throw of its own. Pins here are discs that slide, and count as down when struck hard enough to tip; real pins fall over and sweep others down. Read where the pocket lies and how it widens with the angle, not how often a real bowler strikes.</source>
+        <translation>칸 하나가 투구 한 번입니다. 여기서 핀은 미끄러지는 원판이고, 넘어질 만큼 세게 맞으면 쓰러진 것으로 셉니다. 실제 핀은 넘어지면서 다른 핀을 쓸어 넘깁니다. 포켓이 어디에 있고 입사각에 따라 어떻게 넓어지는지를 읽으십시오. 실제 선수가 스트라이크를 얼마나 자주 치는지를 뜻하지는 않습니다.</translation>
+    </message>
+    <message>
+        <source>Cancelled after %1 of %2 throws: one column and row in %3 is shown.</source>
+        <translation>투구 %2번 가운데 %1번에서 취소했습니다. 행과 열을 %3개마다 하나씩 계산한 그림입니다.</translation>
     </message>
 </context>
 <context>
@@ -1624,6 +1774,14 @@ after %2 s: off by %3 m</source>
         <source>Weight of the ball [kg]</source>
         <translation>볼 무게 [kg]</translation>
     </message>
+    <message>
+        <source>Ball %1 m/s</source>
+        <translation>볼 %1 m/s</translation>
+    </message>
+    <message>
+        <source>Ball %1 kg</source>
+        <translation>볼 %1 kg</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommandText</name>
@@ -2263,6 +2421,33 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>VaryWords</name>
+    <message>
+        <source>Weight</source>
+        <translation>무게</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">속력</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation type="unfinished">방향</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished">위치</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation type="unfinished">회전</translation>
+    </message>
+    <message>
+        <source>Axis of rotation</source>
+        <translation type="unfinished">회전축</translation>
+    </message>
+</context>
+<context>
     <name>Window</name>
     <message>
         <source>no display answers; thetalane --help lists the commands that need none</source>
@@ -2567,6 +2752,77 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>thetalane::CollisionTreePanel</name>
+    <message>
+        <source>Nobody hits anybody.</source>
+        <translation>아무도 부딪치지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Above an arrow the time [s], below it the impulse [N·s]. What has not happened yet is grey; click an arrow to open the collision.</source>
+        <translation>화살표 위는 시각 [s], 아래는 충격량 [N·s]입니다. 아직 일어나지 않은 충돌은 회색이며, 화살표를 누르면 그 충돌이 열립니다.</translation>
+    </message>
+    <message>
+        <source>Click an arrow, or go along them with the arrow keys, to open the collision</source>
+        <translation>화살표를 누르거나 방향 키로 따라가면 그 충돌이 열립니다</translation>
+    </message>
+    <message>
+        <source>Left standing</source>
+        <translation>남은 핀</translation>
+    </message>
+    <message>
+        <source>Later hits</source>
+        <translation>그 뒤의 충돌</translation>
+    </message>
+    <message>
+        <source>Hits of bodies that moved already; choose one to open it</source>
+        <translation>이미 움직이던 물체끼리의 충돌입니다. 고르면 열립니다</translation>
+    </message>
+    <message>
+        <source>Perfect strike, right-handed: the ball touches only 1, 3, 5 and 9, and the pins do the rest: 1 → 2 → 4 → 7, 3 → 6 → 10, 5 → 8.</source>
+        <translation>퍼펙트 스트라이크(오른손): 볼은 1, 3, 5, 9번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 2 → 4 → 7, 3 → 6 → 10, 5 → 8.</translation>
+    </message>
+    <message>
+        <source>Perfect strike, left-handed: the ball touches only 1, 2, 5 and 8, and the pins do the rest: 1 → 3 → 6 → 10, 2 → 4 → 7, 5 → 9.</source>
+        <translation>퍼펙트 스트라이크(왼손): 볼은 1, 2, 5, 8번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 3 → 6 → 10, 2 → 4 → 7, 5 → 9.</translation>
+    </message>
+    <message>
+        <source>Of the ten links of the perfect strike, right-handed, %1 came about (amber).</source>
+        <translation>퍼펙트 스트라이크(오른손)의 고리 열 개 가운데 %1개가 이루어졌습니다(주황색).</translation>
+    </message>
+    <message>
+        <source>Of the ten links of the perfect strike, left-handed, %1 came about (amber).</source>
+        <translation>퍼펙트 스트라이크(왼손)의 고리 열 개 가운데 %1개가 이루어졌습니다(주황색).</translation>
+    </message>
+    <message>
+        <source>Drawn are the first %1 hits that set a body moving; %2 more are not.</source>
+        <translation>물체를 처음 움직인 충돌 가운데 앞의 %1개만 그렸습니다. %2개가 더 있습니다.</translation>
+    </message>
+    <message>
+        <source>Listed are the first %1 later hits.</source>
+        <translation>그 뒤의 충돌은 앞의 %1개만 적었습니다.</translation>
+    </message>
+    <message>
+        <source>Only the first %1 of %2 collisions were looked at.</source>
+        <translation>충돌 %2개 가운데 앞의 %1개만 살펴보았습니다.</translation>
+    </message>
+    <message>
+        <source>No pin is left standing.</source>
+        <translation>남은 핀이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Left standing: %1</source>
+        <translation>남은 핀: %1</translation>
+    </message>
+    <message>
+        <source>Touched, but too softly to tip: %1</source>
+        <translation>닿았지만 약해서 넘어지지 않음: %1</translation>
+    </message>
+    <message>
+        <source>Later hits: %1</source>
+        <translation>그 뒤의 충돌: %1개</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::EngineChooser</name>
     <message>
         <source>Way of computing</source>
@@ -2648,6 +2904,21 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Grey: what should happen. Choose a line or a mark to see where it leaves.</source>
         <translation>회색은 참값입니다. 줄이나 표시를 고르면 어디서 벗어나는지 보입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::HitTreeView</name>
+    <message>
+        <source>%1 hits %2 at %3 s, impulse %4 N·s</source>
+        <translation>%3 s에 %1 → %2, 충격량 %4 N·s</translation>
+    </message>
+    <message>
+        <source>%1 and %2 meet at %3 s, impulse %4 N·s</source>
+        <translation>%3 s에 %1 ↔ %2, 충격량 %4 N·s</translation>
+    </message>
+    <message>
+        <source>Who hit whom</source>
+        <translation>누가 누구를 맞혔나</translation>
     </message>
 </context>
 <context>
@@ -2934,6 +3205,174 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>thetalane::MapControls</name>
+    <message>
+        <source>Rack, no friction</source>
+        <translation>마찰 없는 핀 배열</translation>
+    </message>
+    <message>
+        <source>Whole lane</source>
+        <translation>레인 전체</translation>
+    </message>
+    <message>
+        <source>Usual ball</source>
+        <translation>보통 볼</translation>
+    </message>
+    <message>
+        <source>Ball of this throw</source>
+        <translation>지금 던진 볼</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>장소</translation>
+    </message>
+    <message>
+        <source>The rack alone, the ball close before it; or the whole lane with friction and oil, where direction and axis of rotation are found for each place</source>
+        <translation>핀 바로 앞에서 출발하는 핀 배열만, 또는 마찰과 오일이 있는 레인 전체. 레인에서는 칸마다 그렇게 들어오는 방향과 회전축을 찾습니다</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>볼</translation>
+    </message>
+    <message>
+        <source>Usual: 6.8 kg; 6.8 m/s at the rack; on the lane 8 m/s and 400 rpm from the middle. Or weight, speed, rotation and position of the present throw</source>
+        <translation>보통 볼: 6.8 kg, 핀 앞에서 6.8 m/s, 레인에서는 가운데에서 8 m/s와 분당 400회전. 또는 지금 투구의 무게, 속력, 회전, 위치</translation>
+    </message>
+    <message>
+        <source>From left to right</source>
+        <translation>가로축</translation>
+    </message>
+    <message>
+        <source>What changes from left to right</source>
+        <translation>왼쪽에서 오른쪽으로 달라지는 양</translation>
+    </message>
+    <message>
+        <source>From below to above</source>
+        <translation>세로축</translation>
+    </message>
+    <message>
+        <source>What changes from below to above</source>
+        <translation>아래에서 위로 달라지는 양</translation>
+    </message>
+    <message>
+        <source>Coefficient of restitution e</source>
+        <translation type="unfinished">반발 계수 e</translation>
+    </message>
+    <message>
+        <source>Between ball and pins, and pins and pins</source>
+        <translation type="unfinished">볼링공과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MapLegend</name>
+    <message>
+        <source>Pins down</source>
+        <translation type="unfinished">쓰러진 핀</translation>
+    </message>
+    <message>
+        <source>How many pins go down there; amber: all ten, a strike</source>
+        <translation>그 자리에서 쓰러지는 핀의 수. 주황색은 열 개 모두, 곧 스트라이크</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MapPanel</name>
+    <message>
+        <source>Save the map as a table</source>
+        <translation>지도를 표로 저장</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>표 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>지도를 그림으로 저장</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>그림 (*.png)</translation>
+    </message>
+    <message>
+        <source>Progress of the map</source>
+        <translation>지도 계산의 진행</translation>
+    </message>
+    <message>
+        <source>Pins left standing</source>
+        <translation>남은 핀</translation>
+    </message>
+    <message>
+        <source>What the throw that is pointed at leaves standing</source>
+        <translation>가리킨 투구가 남기는 핀</translation>
+    </message>
+    <message>
+        <source>Table …</source>
+        <translation>표 …</translation>
+    </message>
+    <message>
+        <source>Picture …</source>
+        <translation>그림 …</translation>
+    </message>
+    <message>
+        <source>Save the map as a PNG picture, with axes and legend</source>
+        <translation>축과 범례를 넣어 PNG 그림으로 저장</translation>
+    </message>
+    <message>
+        <source>Begins …</source>
+        <translation type="unfinished">시작하는 중 …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">취소</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished">다시</translation>
+    </message>
+    <message>
+        <source>Stops, and keeps what there is</source>
+        <translation>멈추고, 지금까지의 결과는 남깁니다</translation>
+    </message>
+    <message>
+        <source>Computes the map once more</source>
+        <translation>지도를 다시 계산합니다</translation>
+    </message>
+    <message>
+        <source>A table is made of maps of offset and entry angle</source>
+        <translation>표는 벗어난 거리와 입사각의 지도에서만 만듭니다</translation>
+    </message>
+    <message>
+        <source>Save the map as CSV, a line for each place: as thetalane map --csv does</source>
+        <translation>칸마다 한 줄씩 CSV로 저장합니다. thetalane map --csv와 같습니다</translation>
+    </message>
+    <message>
+        <source>Point at a place to see what stands there; click to throw it.</source>
+        <translation>칸을 가리키면 남는 핀이 보이고, 누르면 그대로 던집니다.</translation>
+    </message>
+    <message>
+        <source>The present throw comes in beside this map.</source>
+        <translation>지금 투구는 이 지도의 밖으로 들어옵니다.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>저장함: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1을(를) 쓸 수 없습니다: %2</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::MapView</name>
+    <message>
+        <source>Strike map</source>
+        <translation>스트라이크 지도</translation>
+    </message>
+    <message>
+        <source>Point at a throw to see what it leaves standing; click to throw it. Arrow keys move, Enter throws.</source>
+        <translation>칸을 가리키면 그 투구가 남기는 핀이 보이고, 누르면 던집니다. 방향 키로 옮기고 Enter로 던집니다.</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::MessageBar</name>
     <message>
         <source>Close this message</source>
@@ -2979,6 +3418,32 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Pins touched: %1, down: %2</source>
         <translation>맞은 핀 %1개, 쓰러진 핀 %2개</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::PinDeck</name>
+    <message>
+        <source>Standing pins</source>
+        <translation>서 있는 핀</translation>
+    </message>
+    <message>
+        <source>Click a pin to set it up or take it away; or press its number, 0 for pin 10</source>
+        <translation>핀을 누르면 세우거나 치웁니다. 번호 키를 눌러도 되며, 10번 핀은 0입니다</translation>
+    </message>
+    <message>
+        <source>no pin stands</source>
+        <translation>서 있는 핀 없음</translation>
+    </message>
+    <message>
+        <source>%1; at pin %2</source>
+        <translation>%1, 지금 %2번 핀</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::PracticePanel</name>
+    <message>
+        <source>Practice</source>
+        <translation>연습</translation>
     </message>
 </context>
 <context>
@@ -3067,6 +3532,73 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Not computed yet; so far %1 s</source>
         <translation>아직 계산되지 않은 구간입니다. 지금까지 %1 s를 계산했습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::SpareBox</name>
+    <message>
+        <source>Spare practice</source>
+        <translation>스페어 연습</translation>
+    </message>
+    <message>
+        <source>Click pins to set them up or take them away, or choose a leave; then throw.</source>
+        <translation>핀을 눌러 세우거나 치우고, 또는 남은 핀의 모양을 고른 다음 던지십시오.</translation>
+    </message>
+    <message>
+        <source>Throw at these pins</source>
+        <translation>이 핀을 향해 던지기</translation>
+    </message>
+    <message>
+        <source>Throws the ball as it is set; it counts as a try</source>
+        <translation>지금 정한 대로 던집니다. 시도 한 번으로 셉니다</translation>
+    </message>
+    <message>
+        <source>Show a line that makes it</source>
+        <translation>처리하는 길 보기</translation>
+    </message>
+    <message>
+        <source>Looks for position and direction with this weight, speed and rotation that forgive most</source>
+        <translation>이 무게, 속력, 회전으로 가장 여유가 큰 위치와 방향을 찾습니다</translation>
+    </message>
+    <message>
+        <source>made %1 of %2</source>
+        <translation>%2번 가운데 %1번 처리</translation>
+    </message>
+    <message>
+        <source>all leaves: %1 of %2</source>
+        <translation>전체: %2번 가운데 %1번</translation>
+    </message>
+    <message>
+        <source>On its way …</source>
+        <translation>굴러가는 중 …</translation>
+    </message>
+    <message>
+        <source>Missed: %1 left</source>
+        <translation>실패: %1 남음</translation>
+    </message>
+    <message>
+        <source>A strike!</source>
+        <translation>스트라이크!</translation>
+    </message>
+    <message>
+        <source>Made!</source>
+        <translation>처리!</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>찾는 중 …</translation>
+    </message>
+    <message>
+        <source>With this ball, no line among those tried makes it.</source>
+        <translation>이 볼로 시도해 본 길 가운데 처리하는 길이 없습니다.</translation>
+    </message>
+    <message>
+        <source>It is set: the direction may be off by %1° to either side.</source>
+        <translation>그 길로 맞추었습니다. 방향이 양쪽으로 %1°까지 벗어나도 됩니다.</translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>아직 던지지 않음</translation>
     </message>
 </context>
 <context>
@@ -3367,6 +3899,134 @@ after %2 s: off by %3 m</source>
     <message>
         <source>The run goes on until %1; choose a longer or a shorter one</source>
         <translation>%1까지의 운동을 계산합니다. 더 길거나 짧은 시간을 고를 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::VaryBox</name>
+    <message>
+        <source>The range must begin below its end.</source>
+        <translation>범위의 처음은 끝보다 작아야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 throws strike.</source>
+        <translation>투구 %2번 가운데 %1번이 스트라이크입니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 throws clear the pins.</source>
+        <translation>투구 %2번 가운데 %1번이 핀을 모두 쓰러뜨립니다.</translation>
+    </message>
+    <message>
+        <source>What changes if …</source>
+        <translation>무엇이 달라질까</translation>
+    </message>
+    <message>
+        <source>The same throw with one attribute varied. The present value is marked; click a row to make it the throw.</source>
+        <translation>같은 투구에서 한 가지만 바꾸어 봅니다. 지금 값에는 표시가 있고, 줄을 누르면 그 투구로 바뀝니다.</translation>
+    </message>
+    <message>
+        <source>Attribute to vary</source>
+        <translation>바꿀 속성</translation>
+    </message>
+    <message>
+        <source>Which attribute of the throw changes from row to row</source>
+        <translation>줄마다 달라지는 투구의 속성</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>처음</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>끝</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>처음</translation>
+    </message>
+    <message>
+        <source>The first value</source>
+        <translation>첫째 값</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>끝</translation>
+    </message>
+    <message>
+        <source>The last value</source>
+        <translation>마지막 값</translation>
+    </message>
+    <message>
+        <source>Outcomes</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Click a row, or press Enter on it, to make it the throw</source>
+        <translation>줄을 누르거나 Enter를 누르면 그 투구로 바뀝니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::VaryModel</name>
+    <message>
+        <source>cannot be thrown</source>
+        <translation>던질 수 없음</translation>
+    </message>
+    <message>
+        <source>a strike</source>
+        <translation>스트라이크</translation>
+    </message>
+    <message>
+        <source>all of them down</source>
+        <translation>모두 쓰러짐</translation>
+    </message>
+    <message>
+        <source>%1 down, left standing %2</source>
+        <translation>%1개 쓰러짐, 남은 핀 %2</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>남은 핀</translation>
+    </message>
+    <message>
+        <source>Pins left standing</source>
+        <translation>남은 핀</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>쓰러짐</translation>
+    </message>
+    <message>
+        <source>Pins that went down</source>
+        <translation>쓰러진 핀의 수</translation>
+    </message>
+    <message>
+        <source>First
+pin</source>
+        <translation>처음
+닿은 핀</translation>
+    </message>
+    <message>
+        <source>The pin that the ball touches first</source>
+        <translation>볼이 처음 닿는 핀</translation>
+    </message>
+    <message>
+        <source>Offset
+[cm]</source>
+        <translation>거리
+[cm]</translation>
+    </message>
+    <message>
+        <source>Where the ball&apos;s path passes the head pin [cm], positive to the right</source>
+        <translation>볼의 길이 헤드핀을 지나는 거리 [cm], 오른쪽이 양</translation>
+    </message>
+    <message>
+        <source>Angle
+[°]</source>
+        <translation>입사각
+[°]</translation>
+    </message>
+    <message>
+        <source>The entry angle [°], positive to the left</source>
+        <translation>입사각 [°], 왼쪽이 양</translation>
     </message>
 </context>
 <context>
