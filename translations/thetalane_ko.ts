@@ -828,7 +828,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">속력</translation>
+        <translation>속력</translation>
     </message>
     <message>
         <source>Spin</source>
@@ -840,7 +840,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>%1 rpm</source>
-        <translation type="unfinished">분당 %1회전</translation>
+        <translation>분당 %1회전</translation>
     </message>
     <message>
         <source>No throw arrives so.</source>
@@ -860,7 +860,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>%1 of %2 throws</source>
-        <translation type="unfinished">투구 %2번 중 %1번</translation>
+        <translation>투구 %2번 가운데 %1번</translation>
     </message>
     <message>
         <source>Cancelled before there was a picture.</source>
@@ -2428,23 +2428,23 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">속력</translation>
+        <translation>속력</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished">방향</translation>
+        <translation>방향</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished">위치</translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Rotation</source>
-        <translation type="unfinished">회전</translation>
+        <translation>회전</translation>
     </message>
     <message>
         <source>Axis of rotation</source>
-        <translation type="unfinished">회전축</translation>
+        <translation>회전축</translation>
     </message>
 </context>
 <context>
@@ -3256,18 +3256,18 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Coefficient of restitution e</source>
-        <translation type="unfinished">반발 계수 e</translation>
+        <translation>반발 계수 e</translation>
     </message>
     <message>
         <source>Between ball and pins, and pins and pins</source>
-        <translation type="unfinished">볼링공과 핀 사이, 핀과 핀 사이에 적용됩니다.</translation>
+        <translation>볼과 핀, 핀과 핀 사이</translation>
     </message>
 </context>
 <context>
     <name>thetalane::MapLegend</name>
     <message>
         <source>Pins down</source>
-        <translation type="unfinished">쓰러진 핀</translation>
+        <translation>쓰러진 핀</translation>
     </message>
     <message>
         <source>How many pins go down there; amber: all ten, a strike</source>
@@ -3318,15 +3318,15 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Begins …</source>
-        <translation type="unfinished">시작하는 중 …</translation>
+        <translation>시작 …</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">취소</translation>
+        <translation>취소</translation>
     </message>
     <message>
         <source>Again</source>
-        <translation type="unfinished">다시</translation>
+        <translation>다시</translation>
     </message>
     <message>
         <source>Stops, and keeps what there is</source>
