@@ -70,16 +70,18 @@ std::optional<Throw> solved(Throw t, double offset, double angle, const Friction
     t.axis = angle < 0 ? -0.5 : 0.5;
     for (int round = 0; round < mostRounds; ++round) {
         const auto at = followed(t, floor, ball, false);
+        if (!at)
+            return std::nullopt;
+        const Vec2d miss{offset - at->offset, angle - at->angle};
+        if (std::abs(miss.x) < closeEnough && std::abs(miss.y) < closeEnough)
+            return followed(t, floor, ball, true) ? std::optional(t) : std::nullopt;
         Throw turned = t, tilted = t;
         turned.direction += nudge;
         tilted.axis += nudge;
         const auto byDirection = followed(turned, floor, ball, false);
         const auto byAxis = followed(tilted, floor, ball, false);
-        if (!at || !byDirection || !byAxis)
+        if (!byDirection || !byAxis)
             return std::nullopt;
-        const Vec2d miss{offset - at->offset, angle - at->angle};
-        if (std::abs(miss.x) < closeEnough && std::abs(miss.y) < closeEnough)
-            return followed(t, floor, ball, true) ? std::optional(t) : std::nullopt;
         const Vec2d d{(byDirection->offset - at->offset) / nudge, (byDirection->angle - at->angle) / nudge};
         const Vec2d a{(byAxis->offset - at->offset) / nudge, (byAxis->angle - at->angle) / nudge};
         const double det = cross(d, a);

@@ -11,13 +11,18 @@ struct Room {
     int level;
 };
 // The longer names first: a path belongs to the first room that it starts with.
+// clang-format off
 constexpr Room rooms[] = {
-    {"core/math", 0},     {"core/collision", 1}, {"core/motion", 1},  {"core/scene", 2},
-    {"core/timeline", 3}, {"core/engine", 4},    {"core/bowling", 5}, {"core/study", 6},
-    {"core/format", 7},   {"ui/words", 8},       {"ui/plot", 9},      {"ui/lane", 11},
-    {"ui/steps", 11},     {"ui/panels", 11},     {"ui/lab", 12},      {"ui/rail", 11},      {"ui/help", 12},
-    {"ui/window", 13},    {"ui", 10},          {"app", 14},
+    {"core/math", 0}, {"core/collision", 1}, {"core/motion", 1}, {"core/scene", 2}, {"core/timeline", 3},
+    {"core/engine", 4}, {"core/bowling", 5}, {"core/study", 6}, {"core/format", 7},
+    {"ui/words", 8}, {"ui/plot", 9},
+    {"ui/lane", 11}, {"ui/steps", 11}, {"ui/panels", 11}, {"ui/rail", 11},
+    {"ui/aim", 12}, {"ui/bench", 12}, {"ui/game", 12}, {"ui/help", 12}, {"ui/lab", 12}, {"ui/lessons", 12},
+    {"ui/map", 12}, {"ui/practice", 12}, {"ui/predict", 12}, {"ui/tables", 12}, {"ui/who", 12},
+    {"ui/worksheet", 12},
+    {"ui/window", 13}, {"ui", 10}, {"app", 14},
 };
+// clang-format on
 
 int levelOf(const QString& room) {
     for (const Room& r : rooms)

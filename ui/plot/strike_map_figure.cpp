@@ -189,20 +189,32 @@ QString titleOf(const StrikeMap& map) {
                                                 : StrikeMapFigure::tr("Strike map: the whole lane");
 }
 
+// What an axis varies is not said of the ball.
+QString ballOf(const MapSettings& s) {
+    const auto varied = [&](MapQuantity q) { return s.across.quantity == q || s.up.quantity == q; };
+    const QString mass = numberText(s.base.mass), speed = numberText(s.base.speed);
+    if (varied(MapQuantity::Mass))
+        return varied(MapQuantity::Speed) ? QString() : StrikeMapFigure::tr("Ball %1 m/s").arg(speed);
+    return varied(MapQuantity::Speed) ? StrikeMapFigure::tr("Ball %1 kg").arg(mass)
+                                      : StrikeMapFigure::tr("Ball %1 kg, %2 m/s").arg(mass, speed);
+}
+
 QString settingsOf(const StrikeMap& map) {
     const MapSettings& s = map.settings;
-    const QString ball =
-        StrikeMapFigure::tr("Ball %1 kg, %2 m/s").arg(numberText(s.base.mass), numberText(s.base.speed));
-    const QString e = StrikeMapFigure::tr("e = %1").arg(numberText(s.restitution));
     const auto strikes =
         std::count_if(map.cells.begin(), map.cells.end(), [](auto& c) { return c.strike(); });
-    const QString count = StrikeMapFigure::tr("%1 throws, %2 strikes").arg(map.cells.size()).arg(strikes);
-    if (s.scene == MapScene::Rack)
-        return QStringList{ball, e, count}.join(QStringLiteral(" · "));
-    return QStringList{
-        ball, StrikeMapFigure::tr("%1 rpm").arg(numberText(inShownUnit(MapQuantity::Spin, s.base.spin))),
-        StrikeMapFigure::tr("house oil"), e, count}
-        .join(QStringLiteral(" · "));
+    QStringList said{ballOf(s)};
+    if (s.scene == MapScene::Bowling) {
+        if (s.across.quantity != MapQuantity::Spin && s.up.quantity != MapQuantity::Spin)
+            said << StrikeMapFigure::tr("%1 rpm").arg(
+                numberText(inShownUnit(MapQuantity::Spin, s.base.spin)));
+        if (s.friction == houseFriction())
+            said << StrikeMapFigure::tr("house oil");
+    }
+    said << StrikeMapFigure::tr("e = %1").arg(numberText(s.restitution))
+         << StrikeMapFigure::tr("%1 throws, %2 strikes").arg(map.cells.size()).arg(strikes);
+    said.removeAll(QString());
+    return said.join(QStringLiteral(" · "));
 }
 
 QString noteText() {
@@ -281,6 +293,14 @@ void paintCells(QPainter& painter, const QRectF& where, const StrikeMap& map) {
     p.drawImage(mask.rect(), strikes);
     p.end();
     painter.drawImage(where.topLeft(), mask);
+}
+
+std::vector<double> axisTicks(const MapAxis& axis, int most) {
+    return ticksOf(shownRange(axis), most);
+}
+
+double axisPlace(const MapAxis& axis, double shownValue) {
+    return placeOf(shownValue, shownRange(axis), axis.count, 0, axis.count);
 }
 
 void paintStrikeMap(QPainter& p, const QRectF& where, const StrikeMap& map) {

@@ -25,6 +25,11 @@ QImage cellImage(const StrikeMap& map);
 QString quantityTitle(MapQuantity quantity);
 double inShownUnit(MapQuantity quantity, double value);
 
+// At most `most` round values of an axis, in its shown unit; and where one of them lies, of the axis's length:
+// cells are centred on their values.
+std::vector<double> axisTicks(const MapAxis& axis, int most);
+double axisPlace(const MapAxis& axis, double shownValue);
+
 // The cells alone, smooth at no scale, strikes striped.
 void paintCells(QPainter& painter, const QRectF& where, const StrikeMap& map);
 
