@@ -125,11 +125,10 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     }
     if (request.room)
         window.enter(*request.room);
-    if (request.lab) {
+    if (request.lab)
         window.openLab(Preset(*request.lab));
-        while (window.isMeasuring())
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    }
+    while (window.isMeasuring())
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     QCoreApplication::processEvents();
     return savePicture(request.output, pictureOf(window, request.size));
 }

@@ -5,12 +5,15 @@
 #include "ui/help/words_panel.h"
 #include "ui/lab/lab_panel.h"
 #include "ui/lane/lane_panel.h"
+#include "ui/map/map_panel.h"
 #include "ui/panels/bodies_panel.h"
 #include "ui/panels/collision_list.h"
 #include "ui/panels/throw_panel.h"
 #include "ui/panels/timeline_bar.h"
+#include "ui/practice/practice_panel.h"
 #include "ui/rail/rail.h"
 #include "ui/steps/step_panel.h"
+#include "ui/who/collision_tree_panel.h"
 #include "ui/window/divide.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/shortcuts.h"
@@ -29,6 +32,8 @@
 #include <QStackedWidget>
 #include <QStyleHints>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace thetalane {
 namespace {
@@ -116,6 +121,10 @@ void MainWindow::furnishRooms() {
         attributes->show(m_isThrow);
         return attributes;
     });
+    m_rail->furnish(Room::Chain,
+                    [this](QWidget* parent) { return new CollisionTreePanel(m_context, parent); });
+    m_rail->furnish(Room::Map, [this](QWidget* parent) { return new MapPanel(m_context, parent); });
+    m_rail->furnish(Room::Practice, [this](QWidget* parent) { return new PracticePanel(m_context, parent); });
     m_rail->furnish(Room::Accuracy, [this](QWidget* parent) { return new LabPanel(m_context, parent); });
     m_rail->furnish(Room::Words, [this](QWidget* parent) {
         return new WordsPanel(
@@ -237,8 +246,11 @@ void MainWindow::openLab(Preset preset) {
 }
 
 bool MainWindow::isMeasuring() const {
-    return m_rail->isFurnished(Room::Accuracy) &&
-           static_cast<LabPanel*>(m_rail->panel(Room::Accuracy))->running();
+    const auto runs = [this]<class P>(Room room, P*) {
+        return m_rail->isFurnished(room) && static_cast<P*>(m_rail->panel(room))->running();
+    };
+    return runs(Room::Accuracy, static_cast<LabPanel*>(nullptr)) ||
+           runs(Room::Map, static_cast<MapPanel*>(nullptr));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -257,6 +269,10 @@ void MainWindow::setReducedMotion(bool on) {
 
 // Each kind of scene opens on what there is to do first.
 void MainWindow::showPanelsFor(const Run& run) {
+    const bool hasPins =
+        std::ranges::any_of(run.scene.bodies, [](const Body& body) { return body.kind == BodyKind::Pin; });
+    for (const Room room : {Room::Map, Room::Practice})
+        m_rail->setOffered(room, hasPins);
     const bool isThrow = run.scene.lane && m_context.session.currentThrow();
     if (isThrow == m_isThrow)
         return;
@@ -281,6 +297,9 @@ void MainWindow::retranslate() {
     m_rail->setWords(Room::Collisions, tr("Collisions"), tr("All collisions"));
     m_rail->setWords(Room::Attributes, m_isThrow ? tr("Throw") : tr("Bodies"),
                      m_isThrow ? tr("The attributes of the throw") : tr("The attributes of the bodies"));
+    m_rail->setWords(Room::Chain, tr("Chain"), tr("Who hit whom, as a tree"));
+    m_rail->setWords(Room::Map, tr("Map"), tr("The strike map: which throws strike"));
+    m_rail->setWords(Room::Practice, tr("Practice"), tr("Spares, and what changes if"));
     m_rail->setWords(Room::Words, tr("Words"), tr("The terms explained, and the keys (F1)"));
     m_rail->setWords(Room::Accuracy, tr("Accuracy"), tr("Speed against accuracy, measured"));
 }
