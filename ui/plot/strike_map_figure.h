@@ -25,8 +25,8 @@ QImage cellImage(const StrikeMap& map);
 QString quantityTitle(MapQuantity quantity);
 double inShownUnit(MapQuantity quantity, double value);
 
-// At most `most` round values of an axis, in its shown unit; and where one of them lies, of the axis's length:
-// cells are centred on their values.
+// At most `most` round values of an axis, in its shown unit; and where one of them lies, of the axis's
+// length: cells are centred on their values.
 std::vector<double> axisTicks(const MapAxis& axis, int most);
 double axisPlace(const MapAxis& axis, double shownValue);
 

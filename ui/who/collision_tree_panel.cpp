@@ -170,7 +170,7 @@ void CollisionTreePanel::restyle() {
             .arg(a.line().name()));
     m_later->setStyleSheet(
         QStringLiteral("QListWidget { background: transparent; border: none; outline: none; color: %1; }"
-                       "QListWidget::item { min-height: %2px; padding: 0 4px; }"
+                       "QListWidget::item { border: none; min-height: %2px; padding: 0 4px; }"
                        "QListWidget::item:selected { background: %3; color: %1; }"
                        "QListWidget:focus { border: 1px solid %4; }")
             .arg(a.text().name(), QString::number(a.projector() ? 36 : 24),
