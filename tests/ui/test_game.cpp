@@ -354,7 +354,9 @@ private slots:
         for (const char digit : {'1', '2', '3', '4', '5', '6', '8', '9'})
             QTest::keyClick(deck, digit);
         QCOMPARE(rolls->text(), QStringLiteral("8/"));
-        click(b.window, "applyFrame");
+        QTest::keyClick(deck, Qt::Key_Return); // the editor's, not the game's
+        QCOMPARE(b.alley.phase(), Phase::Aim);
+        QVERIFY(!rolls->isVisible());
         QVERIFY(cardOf(b.alley.game(), 0).frames()[0].split);
         QVERIFY(isInFile(b.alley));
     }
@@ -438,6 +440,12 @@ private slots:
             colours << p.colour;
         QCOMPARE(colours.size(), int(mostPlayers));
         for (int k = 0; k < 200 && b.alley.turn(); ++k) {
+            if (k < 20) { // the row of now can be seen, though four of the eight can
+                QCoreApplication::processEvents();
+                const GameTurn now = *b.alley.turn();
+                const QRectF frame = b.table().sheetLayout().frame(now.player, now.turn.frame - 1);
+                QVERIFY(b.table().visibleRegion().contains(frame.toRect().adjusted(2, 2, -2, -2)));
+            }
             b.alley.throwBall();
             b.alley.next();
         }

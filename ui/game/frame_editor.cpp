@@ -14,6 +14,13 @@
 #include <algorithm>
 
 namespace thetalane {
+namespace {
+
+bool isEnter(int key) {
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+} // namespace
 
 FrameEditor::FrameEditor(const Context& context, Alley& alley, QWidget* window)
     : Panel(context, window)
@@ -187,7 +194,7 @@ void FrameEditor::showMessage() {
 }
 
 void FrameEditor::apply() {
-    if (m_unreadable)
+    if (!m_apply->isEnabled())
         return;
     m_refused = m_alley.correct(m_player, m_frame, m_draft.deliveries());
     if (!m_refused)
@@ -205,17 +212,23 @@ void FrameEditor::paintEvent(QPaintEvent*) {
 }
 
 void FrameEditor::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
+    if (!isVisible()) // a field's Enter, after it closed the editor
+        return event->accept();
+    if (event->key() == Qt::Key_Escape || (isEnter(event->key()) && m_cancel->hasFocus()))
         return hide();
+    if (isEnter(event->key()))
+        return apply();
     Panel::keyPressEvent(event);
 }
 
 // Esc is the window's as well, and Enter the game's: here they are the editor's.
 bool FrameEditor::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept();
-        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Escape || isEnter(key)) {
+            event->accept();
+            return true;
+        }
     }
     return Panel::event(event);
 }

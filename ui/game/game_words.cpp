@@ -204,6 +204,13 @@ QString deliveryText(const Game& game, const DeliveryPlace& place) {
              rollWords(d));
 }
 
+QString deliveryLine(const Game& game, const DeliveryPlace& place) {
+    const Scorecard card = cardOf(game, place.player);
+    const ScoredDelivery& d = card.deliveries()[place.delivery];
+    return placeText(d.turn) + QStringLiteral(": ") + rollWords(d) + QStringLiteral(" · ") +
+           playerName(game, place.player);
+}
+
 QString frameText(const Game& game, std::size_t player, int frame) {
     const Scorecard card = cardOf(game, player);
     const QString name = playerName(game, player);

@@ -32,6 +32,9 @@ QString placeText(const Turn& turn);
 // "Minsu, frame 3, ball 2: 7".
 QString deliveryText(const Game& game, const DeliveryPlace& place);
 
+// The same for a list, where the name may be cut short: "Frame 3, ball 2: 7 · Minsu".
+QString deliveryLine(const Game& game, const DeliveryPlace& place);
+
 // A frame of the sheet, for screen readers: "Minsu, frame 3: 7, spare. Total 45."
 QString frameText(const Game& game, std::size_t player, int frame); // from 1
 

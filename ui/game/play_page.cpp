@@ -272,7 +272,7 @@ void PlayPage::showList() {
     m_list->setIconSize(QSize(side, side));
     for (const DeliveryPlace& place : m_places) {
         auto* item = new QListWidgetItem(playerIcon(game.players[place.player].colour, side),
-                                         deliveryText(game, place), m_list);
+                                         deliveryLine(game, place), m_list);
         if (!game.deliveries[place.player][place.delivery].thrown)
             item->setFlags(Qt::NoItemFlags);
         item->setSelected(m_alley.replayed() == place);

@@ -20,6 +20,9 @@ namespace {
 
 // Whether a widget with the focus has a use for Enter itself.
 bool usesEnter(const QWidget* w) {
+    for (const QWidget* p = w; p; p = p->parentWidget())
+        if (qobject_cast<const FrameEditor*>(p))
+            return true;
     return qobject_cast<const QLineEdit*>(w) || qobject_cast<const QAbstractItemView*>(w) ||
            qobject_cast<const QComboBox*>(w) || qobject_cast<const QAbstractSpinBox*>(w);
 }
@@ -71,6 +74,8 @@ void ScoreSheet::restyle() {
 void ScoreSheet::adopt() {
     fit();
     setVisible(m_alley.isOn());
+    // Once the rows have the places that they will have.
+    QMetaObject::invokeMethod(this, &ScoreSheet::bringTurnIntoView, Qt::QueuedConnection);
 }
 
 void ScoreSheet::resizeEvent(QResizeEvent* event) {
@@ -94,6 +99,11 @@ void ScoreSheet::bringIntoView(const QRectF& frame) {
     const QRect r = frame.toRect();
     m_scroll->ensureVisible(r.center().x(), r.bottom(), r.width(), 0);
     m_scroll->ensureVisible(r.center().x(), r.top() - header, r.width(), 0);
+}
+
+void ScoreSheet::bringTurnIntoView() {
+    if (const auto turn = m_alley.turn(); turn && !m_table->hasFocus())
+        bringIntoView(m_table->sheetLayout().frame(turn->player, turn->turn.frame - 1));
 }
 
 void ScoreSheet::correct(std::size_t player, int frame) {

@@ -33,6 +33,7 @@ private:
     void adopt();
     void fit();
     void bringIntoView(const QRectF& frame);
+    void bringTurnIntoView();
 
     Context m_context;
     Alley& m_alley;

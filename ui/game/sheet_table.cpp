@@ -43,15 +43,13 @@ void SheetTable::adopt() {
         m_cards.push_back(cardOf(game, k));
     if (m_cursor.player >= m_cards.size())
         m_cursor = {};
+    if (const auto turn = m_alley.turn(); turn && !hasFocus())
+        m_cursor = {turn->player, turn->turn.frame - 1, std::nullopt};
     m_hovered.reset();
     if (moreRows)
         updateGeometry();
     describe();
     update();
-    if (const auto turn = m_alley.turn(); turn && !hasFocus()) {
-        m_cursor = {turn->player, turn->turn.frame - 1, std::nullopt};
-        emit cursorMoved(sheetLayout().frame(m_cursor.player, m_cursor.frame));
-    }
 }
 
 SheetLayout SheetTable::sheetLayout() const {

@@ -95,13 +95,15 @@ void StatisticsPanel::restyle() {
     const QFont normal = look.font(Appearance::Size::Normal);
     for (QWidget* w : std::initializer_list<QWidget*>{m_which, m_empty, m_table})
         w->setFont(normal);
-    setStyleSheet(styleSheet() +
-                  QStringLiteral("QTableCornerButton::section { background: transparent; border: none; }"
-                                 "QHeaderView::section:vertical { border: none; padding: 2px 4px 2px 0; }"
-                                 "QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }"
-                                 "QScrollBar::handle:horizontal { background: %1; border-radius: 4px;"
-                                 " min-width: 32px; margin: 1px; }")
-                      .arg(look.line().name()));
+    setStyleSheet(
+        styleSheet() +
+        QStringLiteral(
+            "QTableCornerButton::section { background: transparent; border: none; }"
+            "QHeaderView:vertical, QHeaderView::section:vertical { border: none; padding: 2px 4px 2px 0; }"
+            "QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }"
+            "QScrollBar::handle:horizontal { background: %1; border-radius: 4px;"
+            " min-width: 32px; margin: 1px; }")
+            .arg(look.line().name()));
     m_table->horizontalHeader()->setFont(look.font(Appearance::Size::Normal, true));
     m_table->verticalHeader()->setFont(normal);
     m_table->verticalHeader()->setDefaultSectionSize(normal.pixelSize() + 2 * unit);
