@@ -3570,6 +3570,10 @@ after %2 s: off by %3 m</source>
             <source>%1; at pin %2</source>
             <translation>%1, 지금 %2번 핀</translation>
         </message>
+        <message>
+            <source>Click the pins that fell; on the keyboard the digits 1 to 9, and 0 for pin 10</source>
+            <translation>쓰러진 핀을 누르십시오. 자판에서는 숫자 1~9, 10번 핀은 0입니다</translation>
+        </message>
     </context>
     <context>
         <name>thetalane::PracticePanel</name>
@@ -4244,6 +4248,612 @@ pin</source>
         <message>
             <source>Show everything</source>
             <translation>전체 보기</translation>
+        </message>
+    </context>
+    <context>
+        <name>GameWords</name>
+        <message>
+            <source>Strike!</source>
+            <translation>스트라이크!</translation>
+        </message>
+        <message>
+            <source>Double!</source>
+            <translation>더블!</translation>
+        </message>
+        <message>
+            <source>Turkey!</source>
+            <translation>터키!</translation>
+        </message>
+        <message>
+            <source>%1 strikes in a row!</source>
+            <translation>%1연속 스트라이크!</translation>
+        </message>
+        <message>
+            <source>foul</source>
+            <translation>파울</translation>
+        </message>
+        <message>
+            <source>strike</source>
+            <translation>스트라이크</translation>
+        </message>
+        <message>
+            <source>spare</source>
+            <translation>스페어</translation>
+        </message>
+        <message>
+            <source>%1 (split)</source>
+            <translation>%1 (스플릿)</translation>
+        </message>
+        <message>
+            <source>Traditional scoring</source>
+            <translation>전통 방식</translation>
+        </message>
+        <message>
+            <source>Current-frame scoring</source>
+            <translation>커런트 프레임 방식</translation>
+        </message>
+        <message>
+            <source>Steady hand</source>
+            <translation>안정된 손</translation>
+        </message>
+        <message>
+            <source>League player</source>
+            <translation>동호인</translation>
+        </message>
+        <message>
+            <source>Beginner</source>
+            <translation>초보자</translation>
+        </message>
+        <message>
+            <source>Exactly as aimed</source>
+            <translation>조준한 그대로</translation>
+        </message>
+        <message>
+            <source>The ball is thrown exactly as it is aimed.</source>
+            <translation>공을 조준한 그대로 던집니다.</translation>
+        </message>
+        <message>
+            <source>The ball leaves the hand by chance a little otherwise than aimed. Standard deviations (guesses): speed %1 m/s, direction %2°, position %3 cm, rotation %4 %.</source>
+            <translation>공이 손을 떠날 때 조준과 조금씩 우연히 어긋납니다. 표준 편차(추정값): 속력 %1 m/s, 방향 %2°, 위치 %3 cm, 회전 %4 %.</translation>
+        </message>
+        <message>
+            <source>No friction</source>
+            <translation>마찰 없음</translation>
+        </message>
+        <message>
+            <source>Dry lane</source>
+            <translation>오일 없는 레인</translation>
+        </message>
+        <message>
+            <source>House oil</source>
+            <translation>하우스 오일</translation>
+        </message>
+        <message>
+            <source>All ten pins stand</source>
+            <translation>핀 10개가 모두 서 있음</translation>
+        </message>
+        <message>
+            <source>No pins stand</source>
+            <translation>서 있는 핀 없음</translation>
+        </message>
+        <message>
+            <source>Pin %1 stands</source>
+            <translation>%1번 핀이 서 있음</translation>
+        </message>
+        <message>
+            <source>Pins %1 stand</source>
+            <translation>%1번 핀이 서 있음</translation>
+        </message>
+        <message>
+            <source>%1 split</source>
+            <translation>%1 스플릿</translation>
+        </message>
+        <message>
+            <source>Perfect game! 300</source>
+            <translation>퍼펙트 게임! 300</translation>
+        </message>
+        <message>
+            <source>Perfect game!</source>
+            <translation>퍼펙트 게임!</translation>
+        </message>
+        <message>
+            <source>Foul</source>
+            <translation>파울</translation>
+        </message>
+        <message>
+            <source>Spare!</source>
+            <translation>스페어!</translation>
+        </message>
+        <message>
+            <source>Gutter ball</source>
+            <translation>거터 볼</translation>
+        </message>
+        <message>
+            <source>Open frame</source>
+            <translation>오픈 프레임</translation>
+        </message>
+        <message>
+            <source>No pins</source>
+            <translation>쓰러진 핀 없음</translation>
+        </message>
+        <message>
+            <source>Pins down: %1</source>
+            <translation>쓰러진 핀 %1개</translation>
+        </message>
+        <message>
+            <source>The pins do not count and are set up again.</source>
+            <translation>쓰러진 핀은 점수에 들지 않고 다시 세웁니다.</translation>
+        </message>
+        <message>
+            <source>%1 picked up.</source>
+            <translation>%1 처리.</translation>
+        </message>
+        <message>
+            <source>The game is over with %1 points.</source>
+            <translation>게임이 %1점으로 끝났습니다.</translation>
+        </message>
+        <message>
+            <source>%1 wins with %2 points.</source>
+            <translation>%1 님이 %2점으로 이겼습니다.</translation>
+        </message>
+        <message>
+            <source>A tie at %2 points: %1.</source>
+            <translation>%2점으로 비겼습니다: %1.</translation>
+        </message>
+        <message>
+            <source>Frame %1, ball %2</source>
+            <translation>%1프레임 %2구</translation>
+        </message>
+        <message>
+            <source>%1, frame %2, ball %3: %4</source>
+            <translation>%1, %2프레임 %3구: %4</translation>
+        </message>
+        <message>
+            <source>%1, frame %2: not played</source>
+            <translation>%1, %2프레임: 아직 치지 않음</translation>
+        </message>
+        <message>
+            <source>%1, frame %2: %3.</source>
+            <translation>%1, %2프레임: %3.</translation>
+        </message>
+        <message>
+            <source>Total %1.</source>
+            <translation>누계 %1점.</translation>
+        </message>
+        <message>
+            <source>Corrected by hand.</source>
+            <translation>직접 고친 프레임.</translation>
+        </message>
+        <message>
+            <source>%1 · frame %2</source>
+            <translation>%1 · %2프레임</translation>
+        </message>
+        <message>
+            <source>%1 pins stand: fewer are a digit, all of them /</source>
+            <translation>서 있는 핀은 %1개입니다. 그보다 적으면 숫자로, 모두 쓰러지면 /로 적습니다</translation>
+        </message>
+        <message>
+            <source>X is all ten at the first ball; a spare is written /</source>
+            <translation>X는 첫 투구에 10개를 모두 쓰러뜨린 것이고, 스페어는 /로 적습니다</translation>
+        </message>
+        <message>
+            <source>/ is a spare; all ten at the first ball are written X</source>
+            <translation>/는 스페어이고, 첫 투구에 10개가 모두 쓰러지면 X로 적습니다</translation>
+        </message>
+        <message>
+            <source>the second ball is missing</source>
+            <translation>두 번째 투구가 빠졌습니다</translation>
+        </message>
+        <message>
+            <source>this is more than one frame</source>
+            <translation>한 프레임을 넘습니다</translation>
+        </message>
+        <message>
+            <source>rolls are X, /, -, F and the digits 1 to 9</source>
+            <translation>투구는 X, /, -, F와 숫자 1~9로 적습니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>PlayerColours</name>
+        <message>
+            <source>blue</source>
+            <translation>파랑</translation>
+        </message>
+        <message>
+            <source>red</source>
+            <translation>빨강</translation>
+        </message>
+        <message>
+            <source>green</source>
+            <translation>초록</translation>
+        </message>
+        <message>
+            <source>pink</source>
+            <translation>분홍</translation>
+        </message>
+        <message>
+            <source>orange</source>
+            <translation>주황</translation>
+        </message>
+        <message>
+            <source>light blue</source>
+            <translation>하늘색</translation>
+        </message>
+        <message>
+            <source>black</source>
+            <translation>검정</translation>
+        </message>
+        <message>
+            <source>yellow</source>
+            <translation>노랑</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::FrameEditor</name>
+        <message>
+            <source>Rolls of the frame</source>
+            <translation>프레임의 투구</translation>
+        </message>
+        <message>
+            <source>The rolls as they stand on a score sheet</source>
+            <translation>점수판에 적는 대로 쓴 투구</translation>
+        </message>
+        <message>
+            <source>X strike, / spare, - none, F foul; or click the pins that fell.</source>
+            <translation>X 스트라이크, / 스페어, - 없음, F 파울. 쓰러진 핀을 눌러도 됩니다.</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>고치기</translation>
+        </message>
+        <message>
+            <source>Puts the frame right and marks it as corrected</source>
+            <translation>프레임을 고치고, 고친 것으로 표시합니다</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Leaves the frame as it is (Esc)</source>
+            <translation>프레임을 그대로 둡니다 (Esc)</translation>
+        </message>
+        <message>
+            <source>%1, frame %2</source>
+            <translation>%1, %2프레임</translation>
+        </message>
+        <message>
+            <source>Correction by hand</source>
+            <translation>직접 고치기</translation>
+        </message>
+        <message>
+            <source>Ball %1</source>
+            <translation>%1구</translation>
+        </message>
+        <message>
+            <source>Ball %1: %2</source>
+            <translation>%1구: %2</translation>
+        </message>
+        <message>
+            <source>Ball %1: %2, pins not known</source>
+            <translation>%1구: %2, 핀 번호 모름</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::GamePanel</name>
+        <message>
+            <source>Bowling game</source>
+            <translation>볼링 게임</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::NewGamePage</name>
+        <message>
+            <source>Go on: %1</source>
+            <translation>이어서 하기: %1</translation>
+        </message>
+        <message>
+            <source>Goes on with the latest game that is not over: %1</source>
+            <translation>끝나지 않은 가장 최근 게임을 이어서 합니다: %1</translation>
+        </message>
+        <message>
+            <source>New game</source>
+            <translation>새 게임</translation>
+        </message>
+        <message>
+            <source>+ Add a player</source>
+            <translation>+ 선수 추가</translation>
+        </message>
+        <message>
+            <source>Add a player</source>
+            <translation>선수 추가</translation>
+        </message>
+        <message>
+            <source>Up to %1 players take turns</source>
+            <translation>최대 %1명이 번갈아 칩니다</translation>
+        </message>
+        <message>
+            <source>Scoring</source>
+            <translation>점수 방식</translation>
+        </message>
+        <message>
+            <source>Lane</source>
+            <translation>레인</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>손</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>시드</translation>
+        </message>
+        <message>
+            <source>Traditional: a strike adds the next two balls, a spare the next one. Current frame: a strike is 30, a spare 10 and its first ball.</source>
+            <translation>전통 방식: 스트라이크는 다음 두 투구를, 스페어는 다음 한 투구를 더합니다. 커런트 프레임 방식: 스트라이크는 30점, 스페어는 10점에 그 프레임의 첫 투구를 더한 점수입니다.</translation>
+        </message>
+        <message>
+            <source>Oil to 40 ft and dry behind it; dry throughout; or no friction at all</source>
+            <translation>40 ft까지 오일이 있고 그 뒤는 드라이 존인 레인, 전체가 마른 레인, 마찰이 전혀 없는 레인</translation>
+        </message>
+        <message>
+            <source>The same number brings the same chance: a game can be thrown again</source>
+            <translation>같은 수에서는 같은 우연이 나오므로 게임을 그대로 다시 던질 수 있습니다</translation>
+        </message>
+        <message>
+            <source>Start the game</source>
+            <translation>게임 시작</translation>
+        </message>
+        <message>
+            <source>Sets the pins up for the first player</source>
+            <translation>첫 선수의 핀을 세웁니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::PlayPage</name>
+        <message>
+            <source>Undo</source>
+            <translation>되돌리기</translation>
+        </message>
+        <message>
+            <source>Takes the last delivery back; the same player throws again</source>
+            <translation>마지막 투구를 되돌립니다. 같은 선수가 다시 던집니다</translation>
+        </message>
+        <message>
+            <source>Foul</source>
+            <translation>파울</translation>
+        </message>
+        <message>
+            <source>The last delivery was over the foul line: its pins do not count and are set up again</source>
+            <translation>마지막 투구가 파울 라인을 넘었습니다. 쓰러진 핀은 점수에 들지 않고 다시 세웁니다</translation>
+        </message>
+        <message>
+            <source>See again</source>
+            <translation>다시 보기</translation>
+        </message>
+        <message>
+            <source>Plays the last delivery again, or the one that is shown</source>
+            <translation>마지막 투구나 지금 보이는 투구를 다시 보여 줍니다</translation>
+        </message>
+        <message>
+            <source>Leave the game</source>
+            <translation>게임 나가기</translation>
+        </message>
+        <message>
+            <source>The game is saved; it goes on from the list of saved games</source>
+            <translation>게임은 저장되어 있으며, 저장한 게임 목록에서 이어서 할 수 있습니다</translation>
+        </message>
+        <message>
+            <source>Deliveries</source>
+            <translation>투구 목록</translation>
+        </message>
+        <message>
+            <source>Click a delivery to see it again</source>
+            <translation>투구를 누르면 다시 볼 수 있습니다</translation>
+        </message>
+        <message>
+            <source>Game over</source>
+            <translation>게임 끝</translation>
+        </message>
+        <message>
+            <source>Which pins stand was not entered: the hindmost are set up.</source>
+            <translation>어느 핀이 남았는지 입력되지 않아 맨 뒤의 핀부터 세웠습니다.</translation>
+        </message>
+        <message>
+            <source>The window shows something that is not of this game. The game waits.</source>
+            <translation>지금 화면에 보이는 것은 이 게임의 장면이 아닙니다. 게임은 기다립니다.</translation>
+        </message>
+        <message>
+            <source>Seen again: %1</source>
+            <translation>다시 보는 투구: %1</translation>
+        </message>
+        <message>
+            <source>This run is another engine's; the score is the exact engine's.</source>
+            <translation>지금 보이는 것은 다른 엔진의 계산이고, 점수는 정확한 엔진의 것입니다.</translation>
+        </message>
+        <message>
+            <source>The game could not be saved: %1</source>
+            <translation>게임을 저장하지 못했습니다: %1</translation>
+        </message>
+        <message>
+            <source>seed %1</source>
+            <translation>시드 %1</translation>
+        </message>
+        <message>
+            <source>Throw</source>
+            <translation>던지기</translation>
+        </message>
+        <message>
+            <source>Throws the ball as it is aimed (Enter)</source>
+            <translation>조준한 대로 공을 던집니다 (Enter)</translation>
+        </message>
+        <message>
+            <source>Back to the game</source>
+            <translation>게임으로 돌아가기</translation>
+        </message>
+        <message>
+            <source>Sets the turn up again (Enter)</source>
+            <translation>차례를 다시 준비합니다 (Enter)</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>다음</translation>
+        </message>
+        <message>
+            <source>Tells the score and sets the next turn up (Enter)</source>
+            <translation>점수를 적고 다음 차례를 준비합니다 (Enter)</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::PlayerRow</name>
+        <message>
+            <source>Player %1</source>
+            <translation>선수 %1</translation>
+        </message>
+        <message>
+            <source>Name of player %1</source>
+            <translation>선수 %1의 이름</translation>
+        </message>
+        <message>
+            <source>The name on the score sheet; left empty, it is "%1"</source>
+            <translation>점수판에 적을 이름. 비워 두면 "%1"입니다</translation>
+        </message>
+        <message>
+            <source>Colour of player %1: %2</source>
+            <translation>선수 %1의 색: %2</translation>
+        </message>
+        <message>
+            <source>Take player %1 out</source>
+            <translation>선수 %1 빼기</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::SavedGamesList</name>
+        <message>
+            <source>Saved games</source>
+            <translation>저장한 게임</translation>
+        </message>
+        <message>
+            <source>Opens the game: one that is not over goes on</source>
+            <translation>게임을 엽니다. 끝나지 않은 게임은 이어서 합니다</translation>
+        </message>
+        <message>
+            <source>%1: cannot be read</source>
+            <translation>%1: 읽을 수 없음</translation>
+        </message>
+        <message>
+            <source>%1 cannot be read and stays as it is. %2</source>
+            <translation>%1 파일을 읽을 수 없으며, 파일은 그대로 둡니다. %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::ScoreSheet</name>
+        <message>
+            <source>Score sheet</source>
+            <translation>점수판</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::SheetTable</name>
+        <message>
+            <source>Score sheet</source>
+            <translation>점수판</translation>
+        </message>
+        <message>
+            <source>Player</source>
+            <translation>선수</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>합계</translation>
+        </message>
+        <message>
+            <source>max %1</source>
+            <comment>the highest possible score</comment>
+            <translation>최고 %1</translation>
+        </message>
+        <message>
+            <source>Click a roll to see it again, the total to correct the frame (F2)</source>
+            <translation>투구를 누르면 다시 보고, 누계를 누르면 프레임을 고칩니다 (F2)</translation>
+        </message>
+        <message>
+            <source>See ball %1 again</source>
+            <translation>%1구 다시 보기</translation>
+        </message>
+        <message>
+            <source>Correct this frame…</source>
+            <translation>이 프레임 고치기…</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::StatisticsPanel</name>
+        <message>
+            <source>This game</source>
+            <translation>이번 게임</translation>
+        </message>
+        <message>
+            <source>All saved games</source>
+            <translation>저장한 모든 게임</translation>
+        </message>
+        <message>
+            <source>Statistics of</source>
+            <translation>통계 범위</translation>
+        </message>
+        <message>
+            <source>Which games are counted</source>
+            <translation>통계에 넣을 게임</translation>
+        </message>
+        <message>
+            <source>Statistics</source>
+            <translation>통계</translation>
+        </message>
+        <message>
+            <source>Nothing has been bowled yet.</source>
+            <translation>아직 던진 공이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Strikes of the balls at ten pins; spares of the balls at what a first ball left; pocket hits of the first balls that were thrown. The average is of games that are over.</source>
+            <translation>스트라이크는 핀 10개에 던진 공 가운데, 스페어는 첫 투구가 남긴 핀에 던진 공 가운데, 포켓은 실제로 던진 첫 투구 가운데 몇 번인지를 나타냅니다. 평균은 끝난 게임의 평균입니다.</translation>
+        </message>
+        <message>
+            <source>Games</source>
+            <translation>게임 수</translation>
+        </message>
+        <message>
+            <source>Average</source>
+            <translation>평균</translation>
+        </message>
+        <message>
+            <source>Best game</source>
+            <translation>최고 점수</translation>
+        </message>
+        <message>
+            <source>Strikes</source>
+            <translation>스트라이크</translation>
+        </message>
+        <message>
+            <source>Spares</source>
+            <translation>스페어</translation>
+        </message>
+        <message>
+            <source>Open frames</source>
+            <translation>오픈 프레임</translation>
+        </message>
+        <message>
+            <source>Splits</source>
+            <translation>스플릿</translation>
+        </message>
+        <message>
+            <source>First ball, average</source>
+            <translation>첫 투구 평균</translation>
+        </message>
+        <message>
+            <source>Pocket hits</source>
+            <translation>포켓 적중</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>전체</translation>
         </message>
     </context>
 </TS>

@@ -132,6 +132,15 @@ std::vector<SceneError> Session::open(const Scene& scene) {
     return errors;
 }
 
+std::vector<SceneError> Session::openDelivery(const Throw& ballThrow, const PinSet& standing,
+                                              const LaneConditions& lane) {
+    Scene scene = bowlingScene(ballThrow, lane.restitution, lane.friction, standing);
+    auto errors = validate(scene);
+    if (errors.empty())
+        start({std::move(scene), "bowling", ballThrow, standing});
+    return errors;
+}
+
 void Session::start(Subject subject) {
     m_opened = std::move(subject);
     m_settings.until = EngineSettings{}.until; // ten minutes were asked for of another scene

@@ -95,6 +95,8 @@ public:
 
     bool openBuiltin(const QString& id);              // false: there is none of that name
     std::vector<SceneError> open(const Scene& scene); // a scene of the user's own
+    std::vector<SceneError> openDelivery(const Throw& ballThrow, const PinSet& standing,
+                                         const LaneConditions& lane); // one turn of a game
     void reset();                                     // as it was opened
 
     // The chapter of a place of the run; null if it is not computed, or takes longer than `patience` [ms]:
