@@ -3,31 +3,36 @@
 #include "ui/lane/arrow.h"
 
 #include <QFontMetricsF>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace thetalane {
 namespace {
 
 constexpr double smallScale = 60; // [px/m] below it only what can be told apart is drawn
 
-// The ball's stretches as they are: each is a parabola, and so is its Bézier curve.
-QPainterPath wayOf(const Timeline& timeline, double until, const Pixels& pixels) {
-    QPainterPath path;
+// The ball's stretches as they are, each a parabola in pieces that cannot be told from it, as far as they are
+// in sight: single lines, which Qt paints many times as fast as a path.
+std::vector<QLineF> wayOf(const Timeline& timeline, double until, const Pixels& pixels, const QRectF& area) {
+    std::vector<QLineF> lines;
     const auto segments = timeline.segments(0);
     for (std::size_t k = 0; k < segments.size() && segments[k].start < until; ++k) {
         const Segment& s = segments[k];
-        const double end = std::min(k + 1 < segments.size() ? segments[k + 1].start : until, until);
-        const double time = end - s.start;
-        const Vec2d half = s.position + s.velocity * (time / 2);
-        const Vec2d to = s.position + (s.velocity + s.acceleration * (time / 2)) * time;
-        if (k == 0)
-            path.moveTo(pixels.at(s.position));
-        path.quadTo(pixels.at(half), pixels.at(to));
+        const double time =
+            std::min(k + 1 < segments.size() ? segments[k + 1].start : until, until) - s.start;
+        const int pieces = s.acceleration == Vec2d{} ? 1 : 24;
+        QPointF last = pixels.at(s.position);
+        for (int piece = 1; piece <= pieces; ++piece) {
+            const double t = time * piece / pieces;
+            const QPointF next = pixels.at(s.position + (s.velocity + s.acceleration * (t / 2)) * t);
+            if (QRectF(last, next).normalized().adjusted(-2, -2, 2, 2).intersects(area))
+                lines.emplace_back(last, next);
+            last = next;
+        }
     }
-    return path;
+    return lines;
 }
 
 // Until the ball first touches something, or is lost to play.
@@ -50,7 +55,13 @@ void AimTool::paint(QPainter& painter, const Pixels& pixels, const QRectF& area)
     if (!isActive())
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    paintWay(painter, pixels);
+    paintWay(painter, pixels, area);
+    const QRectF seen = area.adjusted(-60, -60, 60, 60);
+    const QRectF arrow(pixels.at(placeOf(AimPart::Ball, ballThrow())),
+                       pixels.at(placeOf(AimPart::Direction, ballThrow())));
+    // Out of sight, as in the rack's close-up, it costs nothing.
+    if (!arrow.normalized().adjusted(-1, -1, 1, 1).intersects(seen))
+        return paintValue(painter, pixels, area);
     paintArrow(painter, pixels);
     if (pixels.length(1) > smallScale)
         paintRotation(painter, pixels);
@@ -59,19 +70,23 @@ void AimTool::paint(QPainter& painter, const Pixels& pixels, const QRectF& area)
     paintValue(painter, pixels, area);
 }
 
-void AimTool::paintWay(QPainter& painter, const Pixels& pixels) const {
+void AimTool::paintWay(QPainter& painter, const Pixels& pixels, const QRectF& area) const {
     const Appearance& look = m_context.appearance;
     const Timeline& timeline = m_context.session.timeline();
     const double until = firstTouch(timeline);
     const QColor ink = look.textInk(Ink::First);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(faded(ink, 0.8), 0.75 * look.lineWidth(), Qt::SolidLine, Qt::FlatCap));
-    painter.drawPath(wayOf(timeline, until, pixels));
+    painter.setPen(QPen(ink, look.projector() ? 2 : 1, Qt::SolidLine, Qt::FlatCap));
+    const std::vector<QLineF> lines = wayOf(timeline, until, pixels, area);
+    painter.drawLines(lines.data(), int(lines.size()));
     const double radius = pixels.length(regulation::ballRadius);
     if (radius < 3 || !(until > 0))
         return;
-    painter.setPen(QPen(faded(ink, 0.6), 0.5 * look.lineWidth(), Qt::DashLine));
-    painter.drawEllipse(pixels.at(timeline.bodyAt(0, until).position), radius, radius);
+    const QPointF there = pixels.at(timeline.bodyAt(0, until).position);
+    if (!area.adjusted(-radius, -radius, radius, radius).contains(there))
+        return;
+    painter.setPen(QPen(faded(ink, 0.6), 1));
+    painter.drawEllipse(there, radius, radius);
 }
 
 void AimTool::paintArrow(QPainter& painter, const Pixels& pixels) const {
@@ -151,7 +166,9 @@ void AimTool::paintValue(QPainter& painter, const Pixels& pixels, const QRectF& 
         width = std::max(width, smaller.horizontalAdvance(lines.back()));
     const double pad = 0.75 * look.unit();
     const QSizeF size(width + 2 * pad, metrics.height() + (lines.size() > 1 ? smaller.height() : 0) + pad);
+    // The corners above are the badge's.
     const QRectF room = area.adjusted(4, 4, -4, -4);
+    const double top = room.top() + 7 * look.unit();
     if (size.width() > room.width())
         return; // the strip: the large view says it
     const QPointF at = pixels.at(placeOf(*part, ballThrow()));
@@ -160,7 +177,7 @@ void AimTool::paintValue(QPainter& painter, const Pixels& pixels, const QRectF& 
         box.moveCenter({room.center().x(), room.bottom() - 7 * look.unit()});
     if (box.right() > room.right())
         box.moveRight(at.x() - 3 * look.unit());
-    box.moveTop(std::clamp(box.top(), room.top(), room.bottom() - box.height()));
+    box.moveTop(std::clamp(box.top(), top, std::max(top, room.bottom() - box.height())));
     box.moveLeft(std::clamp(box.left(), room.left(), room.right() - box.width()));
     painter.setPen(QPen(m_limit == AimLimit::None ? look.line() : look.error(), 1));
     painter.setBrush(faded(look.card(), 0.95));

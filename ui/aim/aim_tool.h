@@ -57,7 +57,7 @@ private:
     std::optional<AimPart> shownPart() const; // whose value stands beside it
 
     QString tipOf(AimPart part) const;
-    void paintWay(QPainter& painter, const Pixels& pixels) const;
+    void paintWay(QPainter& painter, const Pixels& pixels, const QRectF& area) const;
     void paintArrow(QPainter& painter, const Pixels& pixels) const;
     void paintRotation(QPainter& painter, const Pixels& pixels) const;
     void paintHandle(QPainter& painter, const Pixels& pixels, AimPart part) const;

@@ -45,7 +45,7 @@ SpinDial::SpinDial(const Appearance& appearance, const QString& name, QWidget* p
 
 QSize SpinDial::sizeHint() const {
     const int side = 15 * m_appearance.unit();
-    return {side, side};
+    return {side, 3 * side / 4}; // below the ball there is nothing to set
 }
 
 void SpinDial::setSpin(double rpm, double axis) {
@@ -63,7 +63,11 @@ void SpinDial::setWords(const QString& name, const QString& toolTip, const QStri
 }
 
 double SpinDial::rim() const {
-    return std::min(width(), height()) / 2.0 - m_appearance.unit();
+    return std::min(width() / 2.0, height() / 1.5) - m_appearance.unit();
+}
+
+QPointF SpinDial::hub() const {
+    return {width() / 2.0, rim() + m_appearance.unit()};
 }
 
 double SpinDial::ring() const {
@@ -72,7 +76,7 @@ double SpinDial::ring() const {
 
 QPointF SpinDial::beadAt(double rpm, double axis) const {
     const double share = std::clamp(rpm / mostRpm, 0.0, 1.0);
-    return QRectF(rect()).center() + towards(axis) * (ring() + share * (rim() - ring()));
+    return hub() + towards(axis) * (ring() + share * (rim() - ring()));
 }
 
 void SpinDial::offer(double rpm, double axis) {
@@ -85,7 +89,7 @@ void SpinDial::offer(double rpm, double axis) {
 }
 
 void SpinDial::moveTo(const QPointF& at, bool fine) {
-    const QPointF v = at - QRectF(rect()).center();
+    const QPointF v = at - hub();
     const double distance = std::hypot(v.x(), v.y());
     const double share = (distance - ring()) / (rim() - ring());
     const double rpm = nearest(std::clamp(share, 0.0, 1.0) * mostRpm, fine ? 1 : rpmStep);
@@ -149,7 +153,7 @@ void SpinDial::keyPressEvent(QKeyEvent* event) {
 // The axis lies level, so that from above the ball's skin moves straight across it: in bands, the way of the
 // arrow.
 void SpinDial::paintBall(QPainter& painter) const {
-    const QPointF centre = QRectF(rect()).center();
+    const QPointF centre = hub();
     const double radius = 0.46 * rim();
     const QPointF along = towards(m_axis), across(-along.y(), along.x());
     const QColor ink = m_appearance.ink(Ink::First);
@@ -182,7 +186,7 @@ void SpinDial::paintBall(QPainter& painter) const {
 void SpinDial::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF centre = QRectF(rect()).center();
+    const QPointF centre = hub();
     const double line = m_appearance.lineWidth();
     const QColor accent = isEnabled() ? m_appearance.accent() : m_appearance.quietText();
     // From a hook to the left over the forward roll to a hook to the right, at none and at the most rotation.

@@ -38,6 +38,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    QPointF hub() const; // [px] the ball's middle
     double rim() const;  // [px] of the bead at the most
     double ring() const; // [px] of the bead at no rotation
     void moveTo(const QPointF& at, bool fine);

@@ -83,6 +83,7 @@ ThrowPanel::ThrowPanel(const Context& context, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(scroll, 1);
     layout->addLayout(m_foot);
+    makePathAhead();
     makeButtons(*m_foot);
     connect(&session(), &Session::runChanged, this, &ThrowPanel::showThrow);
     connect(&session(), &Session::edited, this, &ThrowPanel::foresee);
@@ -125,7 +126,6 @@ void ThrowPanel::makeRows() {
         chooseUnits({m_units.mass, speedUnits[std::size_t(k)]});
     });
     setUnits({});
-    makePathAhead();
     m_column->addStretch(1);
 }
 
@@ -145,7 +145,7 @@ void ThrowPanel::makePathAhead() {
     auto* row = new QHBoxLayout;
     row->addWidget(m_pathLabel);
     row->addWidget(m_path, 1);
-    m_column->addLayout(row);
+    m_foot->addLayout(row);
     connect(m_path, &QComboBox::activated, this, [this](int index) {
         m_foresight = Foresight(index);
         session().setForesight(m_foresight);
