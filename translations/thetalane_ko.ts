@@ -3963,6 +3963,46 @@ after %2 s: off by %3 m</source>
             <source>Rotation about the axis of a forward roll changes how soon the ball rolls; its path stays straight.</source>
             <translation>앞으로 구르는 방향의 회전은 공이 얼마나 빨리 구르기 시작하는지만 바꾸며, 경로는 직선입니다.</translation>
         </message>
+        <message>
+            <source>Unit of the mass</source>
+            <translation>질량의 단위</translation>
+        </message>
+        <message>
+            <source>Choose the unit</source>
+            <translation>단위를 고릅니다.</translation>
+        </message>
+        <message>
+            <source>Unit of the speed</source>
+            <translation>속력의 단위</translation>
+        </message>
+        <message>
+            <source>Path shown</source>
+            <translation>경로 표시</translation>
+        </message>
+        <message>
+            <source>to the end</source>
+            <translation>끝까지</translation>
+        </message>
+        <message>
+            <source>to the first contact</source>
+            <translation>첫 접촉까지</translation>
+        </message>
+        <message>
+            <source>How much is shown before the ball is thrown</source>
+            <translation>볼링공을 던지기 전에 경로를 어디까지 보여 줄지 정합니다.</translation>
+        </message>
+        <message>
+            <source>Rotation and its axis</source>
+            <translation>회전과 회전축</translation>
+        </message>
+        <message>
+            <source>Drag the bead: round the ball for the axis, outwards for more rotation. Wheel: rotation, with Shift the axis. Arrow keys; Shift: fine</source>
+            <translation>둥근 손잡이를 공 둘레로 끌면 회전축이 바뀌고, 바깥으로 끌수록 회전이 빨라집니다. 휠은 회전, Shift+휠은 회전축을 바꿉니다. 화살표 키로도 조절할 수 있으며 Shift를 누르면 세밀해집니다.</translation>
+        </message>
+        <message>
+            <source>%1 rpm, axis %2°</source>
+            <translation>분당 %1회전, 축 %2°</translation>
+        </message>
     </context>
     <context>
         <name>thetalane::TimeReadout</name>
@@ -4248,6 +4288,18 @@ pin</source>
         <message>
             <source>Show everything</source>
             <translation>전체 보기</translation>
+        </message>
+        <message>
+            <source>Show the rack</source>
+            <translation>핀 보기</translation>
+        </message>
+        <message>
+            <source>Show the foul line</source>
+            <translation>파울 라인 보기</translation>
+        </message>
+        <message>
+            <source>Follow the ball</source>
+            <translation>공 따라가기</translation>
         </message>
     </context>
     <context>
@@ -4854,6 +4906,100 @@ pin</source>
         <message>
             <source>All</source>
             <translation>전체</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::AimTool</name>
+        <message>
+            <source>%1° to the right</source>
+            <translation>오른쪽으로 %1°</translation>
+        </message>
+        <message>
+            <source>%1° to the left</source>
+            <translation>왼쪽으로 %1°</translation>
+        </message>
+        <message>
+            <source>straight</source>
+            <translation>똑바로</translation>
+        </message>
+        <message>
+            <source>%1, over board %2</source>
+            <translation>%1, 보드 %2번 위</translation>
+        </message>
+        <message>
+            <source>no rotation</source>
+            <translation>회전 없음</translation>
+        </message>
+        <message>
+            <source>%1, forward roll</source>
+            <translation>%1, 앞으로 구르는 회전</translation>
+        </message>
+        <message>
+            <source>%1, axis %2°, hooks left</source>
+            <translation>%1, 축 %2°, 왼쪽 훅</translation>
+        </message>
+        <message>
+            <source>%1, axis %2°, hooks right</source>
+            <translation>%1, 축 %2°, 오른쪽 훅</translation>
+        </message>
+        <message>
+            <source>%1 m, board %2</source>
+            <translation>%1 m, 보드 %2번</translation>
+        </message>
+        <message>
+            <source>The ball's centre stays on the lane</source>
+            <translation>볼링공의 중심은 레인을 벗어날 수 없습니다</translation>
+        </message>
+        <message>
+            <source>By hand up to %1°; more can be typed</source>
+            <translation>끌어서는 %1°까지이며, 그 이상은 숫자로 입력합니다</translation>
+        </message>
+        <message>
+            <source>By hand not below %1; less can be typed</source>
+            <translation>끌어서는 %1까지이며, 그보다 작은 값은 숫자로 입력합니다</translation>
+        </message>
+        <message>
+            <source>By hand up to %1; more can be typed</source>
+            <translation>끌어서는 %1까지이며, 그 이상은 숫자로 입력합니다</translation>
+        </message>
+        <message>
+            <source>By hand up to %1 rpm; more can be typed</source>
+            <translation>끌어서는 분당 %1회전까지이며, 그 이상은 숫자로 입력합니다</translation>
+        </message>
+        <message>
+            <source>±90° is side spin alone; more would turn backwards</source>
+            <translation>±90°는 옆 회전뿐이며, 더 돌리면 거꾸로 도는 회전이 됩니다</translation>
+        </message>
+        <message>
+            <source>Shift: fine. A and the arrow keys do the same. Esc: as before.</source>
+            <translation>Shift: 세밀하게. A 키와 화살표 키로도 조절할 수 있습니다. Esc: 되돌리기.</translation>
+        </message>
+        <message>
+            <source>Drag the ball along the foul line.</source>
+            <translation>볼링공을 파울 라인을 따라 끌어 옮깁니다.</translation>
+        </message>
+        <message>
+            <source>Drag the tip to aim.</source>
+            <translation>화살표 끝을 끌어 방향을 정합니다.</translation>
+        </message>
+        <message>
+            <source>Drag along the arrow: the speed.</source>
+            <translation>화살표를 따라 끌면 속력이 바뀝니다.</translation>
+        </message>
+        <message>
+            <source>Drag round the ball: the axis; outwards: more rotation.</source>
+            <translation>공 둘레로 끌면 회전축이 바뀌고, 바깥으로 끌수록 회전이 빨라집니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::SlowMotionButton</name>
+        <message>
+            <source>Slow motion at impact</source>
+            <translation>충돌 순간 슬로 모션</translation>
+        </message>
+        <message>
+            <source>Slow motion at impact: %1 while the ball meets the pins</source>
+            <translation>충돌 순간 슬로 모션: 볼링공이 핀과 부딪치는 동안 %1</translation>
         </message>
     </context>
 </TS>

@@ -6,6 +6,13 @@
 #include <utility>
 
 namespace thetalane {
+namespace {
+
+// How much of the run is slow about the first contact with a pin [s]: the ball 0.4 m before it, and until
+// most of the pins have met.
+constexpr double beforeImpact = 0.05, afterImpact = 0.3;
+
+} // namespace
 
 Playhead::Playhead(Session& session, QObject* parent)
     : QObject(parent)
@@ -15,6 +22,7 @@ Playhead::Playhead(Session& session, QObject* parent)
     connect(&m_timer, &QTimer::timeout, this, [this] { advance(double(m_clock.nsecsElapsed()) * 1e-9); });
     connect(&session, &Session::runChanged, this, &Playhead::startAgain);
     connect(&session, &Session::progressed, this, &Playhead::followProgress);
+    findImpact();
 }
 
 double Playhead::end() const {
@@ -58,6 +66,7 @@ void Playhead::setPlaying(bool on) {
     if (on) {
         m_wish.reset();
         clearSelection();
+        showWhole();
         if (m_time >= end())
             goTo(0, m_session.patience());
         m_clock.start();
@@ -73,6 +82,58 @@ void Playhead::setRate(double rate) {
         return;
     m_rate = rate;
     emit rateChanged(rate);
+}
+
+void Playhead::setSlowAtImpact(bool on) {
+    if (on == m_slowAtImpact)
+        return;
+    m_slowAtImpact = on;
+    emit slowAtImpactChanged(on);
+}
+
+double Playhead::rateNow() const {
+    const bool slow = m_slowAtImpact && m_impact && m_time >= m_impact->from && m_time < m_impact->to;
+    return slow ? std::min(m_rate, impactRate) : m_rate;
+}
+
+// Of the first chapter: a throw has no other.
+void Playhead::findImpact() {
+    m_impact.reset();
+    const Scene& scene = m_session.scene();
+    const auto isPin = [&](int body) {
+        return body >= 0 && scene.bodies[std::size_t(body)].kind == BodyKind::Pin;
+    };
+    for (const Collision& c : m_session.timeline().collisions())
+        if (isPin(c.first) || isPin(c.second)) {
+            m_impact = Impact{c.time - beforeImpact, c.time + afterImpact};
+            return;
+        }
+}
+
+// The clock runs evenly; at a border of the slow part the rest of it counts at the other rate.
+double Playhead::later(double seconds) const {
+    if (!m_slowAtImpact || !m_impact || m_rate <= impactRate)
+        return m_time + seconds * m_rate;
+    double time = m_time;
+    const auto upTo = [&](double border, double rate) {
+        const double there = std::clamp((border - time) / rate, 0.0, seconds);
+        time = there < seconds ? border : time + seconds * rate;
+        seconds -= there;
+    };
+    if (time < m_impact->from)
+        upTo(m_impact->from, m_rate);
+    if (seconds > 0 && time < m_impact->to)
+        upTo(m_impact->to, impactRate);
+    return time + seconds * m_rate;
+}
+
+// What is thrown is shown to its end.
+void Playhead::showWhole() {
+    if (!m_session.currentThrow() || m_session.foresight() == Foresight::Whole)
+        return;
+    const double time = m_time;
+    m_session.setForesight(Foresight::Whole);
+    goTo(time, m_session.patience());
 }
 
 void Playhead::stepFrames(int frames) {
@@ -182,7 +243,7 @@ void Playhead::runUntil(double until) {
 // Never further than is computed: where that is slow, the clock waits.
 void Playhead::advance(double seconds) {
     m_clock.restart();
-    const double time = std::clamp(m_time + seconds * m_rate, 0.0, std::min(end(), m_session.reach()));
+    const double time = std::clamp(later(seconds), 0.0, std::min(end(), m_session.reach()));
     if (auto chapter = m_session.chapter(time, int(m_timer.interval())))
         put(std::move(chapter), time);
     m_session.expectTime(m_session.part().to);
@@ -211,6 +272,7 @@ void Playhead::followProgress() {
 }
 
 void Playhead::startAgain() {
+    findImpact();
     m_wish.reset();
     setPlaying(false);
     m_selected.reset();

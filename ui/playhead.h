@@ -27,6 +27,10 @@ public:
     double end() const;                    // [s]
     bool playing() const { return m_timer.isActive(); }
     double rate() const { return m_rate; }
+    // While playing, the pins' first contact slows time down from a little before it to a little after.
+    static constexpr double impactRate = 1.0 / 16;
+    bool slowAtImpact() const { return m_slowAtImpact; }
+    double rateNow() const; // at the present time
     Stage stage() const { return m_stage; }
 
     // The open collision: its index in the present chapter's Timeline::collisions(), and its number in the
@@ -45,6 +49,7 @@ public slots:
     void setPlaying(bool playing);
     void togglePlaying() { setPlaying(!playing()); }
     void setRate(double rate);
+    void setSlowAtImpact(bool on);
     void stepFrames(int frames);               // forward or back
     void stepCollisions(int forward);          // +1: the next collision, -1: the one before; selects it
     void select(std::size_t collision);        // of the present chapter: stops, goes to it, opens it
@@ -61,10 +66,18 @@ signals:
     void timeChanged(double time);
     void playingChanged(bool playing);
     void rateChanged(double rate);
+    void slowAtImpactChanged(bool on);
     void selectionChanged(); // selected() says which, if any
     void stageChanged(thetalane::Stage stage);
 
 private:
+    struct Impact {
+        double from = 0; // s
+        double to = 0;
+    };
+    double later(double seconds) const; // the time after so much of the clock
+    void findImpact();
+    void showWhole();
     void goTo(double time, int patience);
     void open(std::int64_t number, Stage stage, int patience);
     void put(std::shared_ptr<const Chapter> chapter, double time);
@@ -77,6 +90,8 @@ private:
     QElapsedTimer m_clock;
     double m_time = 0;
     double m_rate = 1;
+    bool m_slowAtImpact = false;
+    std::optional<Impact> m_impact; // of the run
     std::optional<std::int64_t> m_selected;
     Stage m_stage = Stage::Contact;
     std::optional<RunAhead::Place> m_wish; // where to go as soon as that can be shown

@@ -1,8 +1,10 @@
 // Ten minutes of a gas of 1,000 in the window, off screen: how large the process gets, how long the window
-// stands still while they are computed, and how long any moment takes until it is painted.
-//   QT_QPA_PLATFORM=offscreen bin/thetalane_window_bench [--quick] [--pictures DIR]
-#include "tests/benchmarks/table.h"
-#include "tests/benchmarks/timing.h"
+// stands still while they are computed, and how long any moment takes until it is painted. Then frames of a
+// break and of a throw, and aiming one.
+//   QT_QPA_PLATFORM=offscreen bin/thetalane_window_bench [--quick] [--throw] [--pictures DIR]
+// --throw: only what is last.
+#include "tests/benchmarks/waits.h"
+#include "tests/benchmarks/window_throw.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <functional>
 #include <random>
 #include <vector>
 
@@ -43,37 +44,6 @@ struct Program {
     MainWindow window{Context{session, playhead, appearance}, language};
 };
 
-// What a person waits, and how much of that the processor worked for us: on a busy machine others have it
-// too.
-struct Wait {
-    double wall = 0; // s
-    double work = 0; // s, of all threads
-};
-
-class Stopwatch {
-public:
-    Stopwatch()
-        : m_work(processorTime()) {
-        m_clock.start();
-    }
-    Wait lap() {
-        const Wait wait{double(m_clock.nsecsElapsed()) * 1e-9, processorTime() - m_work};
-        m_clock.start();
-        m_work = processorTime();
-        return wait;
-    }
-
-private:
-    QElapsedTimer m_clock;
-    double m_work;
-};
-
-Wait waited(const std::function<void()>& work) {
-    Stopwatch watch;
-    work();
-    return watch.lap();
-}
-
 double threadTime() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -93,23 +63,6 @@ template <class Done> Wait longestStall(Done&& done) {
         QThread::usleep(500);
     }
     return longest;
-}
-
-std::string text(const Wait& wait) {
-    return seconds(wait.wall) + " (" + seconds(wait.work) + ")";
-}
-
-// Of each by itself.
-Wait quantile(const std::vector<Wait>& waits, double part) {
-    std::vector<double> wall, work;
-    for (const Wait& w : waits) {
-        wall.push_back(w.wall);
-        work.push_back(w.work);
-    }
-    std::sort(wall.begin(), wall.end());
-    std::sort(work.begin(), work.end());
-    const auto place = std::size_t(part * double(waits.size() - 1) + 0.5);
-    return {wall[place], work[place]};
 }
 
 void paint(Program& p) {
@@ -174,6 +127,10 @@ int main(int argc, char** argv) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     const QStringList arguments = QApplication::arguments();
     const bool quick = arguments.contains("--quick");
+    if (arguments.contains("--throw")) {
+        throwTables(quick);
+        return 0;
+    }
     const double until = quick ? 5 : 600;
 
     Program p;
@@ -211,5 +168,7 @@ int main(int argc, char** argv) {
                whole(peakMegabytes()) + " MB"});
     if (const auto at = arguments.indexOf("--pictures"); at > 0 && at + 1 < arguments.size())
         pictures(p, arguments[at + 1]);
+    p.window.hide();
+    throwTables(quick);
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "ui/lane/body_item.h"
 
+#include "core/scene/bowling_scene.h"
 #include "ui/lane/arrow.h"
 #include "ui/lane/scale.h"
 
@@ -17,6 +18,30 @@ constexpr double smallestBall = 4.5; // [px] so that a ball 19 m away is still f
 constexpr double shadeFrom = 6;      // [px] below it, a shade is only noise
 constexpr double capHeight = 0.73;   // of a sans serif's size
 const QColor neckRed(0xC8, 0x3A, 0x3A);
+
+// A pin's profile by the equipment specifications: height above its base, and half its width there [m].
+constexpr double belly = 0.1143; // where it is widest
+constexpr std::pair<double, double> profile[] = {
+    {0, 0.0258},      {0.0191, 0.0359}, {0.0572, 0.0496}, {0.0857, 0.0573}, {0.1143, 0.0605},
+    {0.1492, 0.0580}, {0.1842, 0.0470}, {0.2191, 0.0314}, {0.2381, 0.0250}, {0.2540, 0.0228},
+    {0.2762, 0.0237}, {0.2985, 0.0266}, {0.3207, 0.0306}, {0.3429, 0.0323}, {0.3620, 0.0296},
+    {0.3740, 0.0205}, {0.3810, 0}};
+
+// Lying along x with its belly at 0 [m].
+const QPainterPath& pinOutline() {
+    static const QPainterPath outline = [] {
+        QPolygonF points;
+        for (const auto& [height, half] : profile)
+            points << QPointF(height - belly, half);
+        for (auto p = std::rbegin(profile); p != std::rend(profile); ++p)
+            points << QPointF(p->first - belly, -p->second);
+        QPainterPath path;
+        path.addPolygon(points);
+        path.closeSubpath();
+        return path;
+    }();
+    return outline;
+}
 
 } // namespace
 
@@ -37,7 +62,21 @@ void BodyItem::setRole(Role role) {
     if (role == m_role)
         return;
     m_role = role;
-    setZValue(role == Role::First || role == Role::Second ? 2 : 1);
+    placeInDepth();
+    update();
+}
+
+// What lies on the floor lies under what stands.
+void BodyItem::placeInDepth() {
+    setZValue(chosen() ? 2 : m_tipped ? 0.5 : 1);
+}
+
+void BodyItem::setTipped(std::optional<double> share, const Vec2d& along) {
+    if (share == m_tipped)
+        return;
+    m_tipped = share;
+    m_along = along;
+    placeInDepth();
     update();
 }
 
@@ -93,7 +132,8 @@ QColor BodyItem::edge() const {
 
 void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     const QPointF at = painter->worldTransform().map(QPointF(0, 0));
-    double radius = m_radius * painter->worldTransform().m11();
+    const double painterScale = painter->worldTransform().m11();
+    double radius = m_radius * painterScale;
     if (m_kind == BodyKind::Ball)
         radius = std::max(radius, smallestBall);
     const Pixels pixels(*painter);
@@ -111,6 +151,8 @@ void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     }
     if (m_kind == BodyKind::Ball)
         paintBall(*painter, at, radius);
+    else if (m_tipped && !chosen())
+        paintLying(*painter, at, unitsPerMetre * painterScale);
     else
         paintPin(*painter, at, radius);
     if (!chosen()) // the overlay finds a place for those two
@@ -203,6 +245,41 @@ void BodyItem::paintPin(QPainter& painter, const QPointF& at, double radius) con
                         std::clamp(radius * 0.07, 1.0, 4.0)));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(at, ring, ring);
+}
+
+// The disc is what the engine knows of it; its belly is there, and it lies the way it was struck. On the way
+// down it is seen at a slant.
+void BodyItem::paintLying(QPainter& painter, const QPointF& at, double perMetre) const {
+    const double radius = m_radius * perMetre / unitsPerMetre;
+    const QColor white = mixed(m_appearance.pin(), m_appearance.woodLine(), 0.8);
+    const double thin = m_appearance.lineWidth() * 0.5;
+    if (radius < shadeFrom) {
+        painter.setPen(QPen(edge(), thin));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, radius, radius);
+        return;
+    }
+    const double slant = std::sin(*m_tipped * std::numbers::pi / 2);
+    const double scale = radius / regulation::pinRadius;
+    painter.save();
+    painter.translate(at);
+    painter.rotate(-std::atan2(m_along.y, m_along.x) * 180 / std::numbers::pi);
+    painter.scale(std::max(slant, 0.05) * scale, scale);
+    QPen rim(edge(), thin);
+    rim.setCosmetic(true);
+    painter.setPen(rim);
+    painter.setBrush(white);
+    painter.drawPath(pinOutline());
+    QPen neck(m_role == Role::Receding ? edge() : neckRed, std::clamp(radius * 0.1, 1.0, 5.0));
+    neck.setCosmetic(true);
+    neck.setCapStyle(Qt::FlatCap);
+    painter.setPen(neck);
+    for (const auto& [height, half] : {std::pair{0.235, 0.0245}, {0.268, 0.0225}})
+        painter.drawLine(QPointF(height - belly, -half), QPointF(height - belly, half));
+    painter.restore();
+    painter.setPen(QPen(faded(edge(), 0.7), thin, Qt::DotLine));
+    painter.setBrush(faded(m_appearance.pin(), 0.6 * (1 - slant)));
+    painter.drawEllipse(at, radius - thin / 2, radius - thin / 2);
 }
 
 void BodyItem::paintName(QPainter& painter, const QPointF& at, double radius) const {

@@ -27,6 +27,9 @@ public:
     void setRole(Role role);
     void setHovered(bool hovered);
     void setLost(bool lost); // in a gutter or the pit: dimmed
+    // Of a pin that goes down: how far, 0 to 1, and which way.
+    void setTipped(std::optional<double> share, const Vec2d& along);
+    const std::optional<double>& tipped() const { return m_tipped; }
     // A ball that has been given one shows it: two halves, and finger holes.
     void setTurn(const std::optional<Orientation>& turn);
     const std::optional<Orientation>& turn() const { return m_turn; }
@@ -44,6 +47,8 @@ private:
     void paintBall(QPainter& painter, const QPointF& at, double radius) const;
     void paintTurn(QPainter& painter, const QPointF& at, double radius) const;
     void paintPin(QPainter& painter, const QPointF& at, double radius) const;
+    void paintLying(QPainter& painter, const QPointF& at, double perMetre) const;
+    void placeInDepth();
     void paintName(QPainter& painter, const QPointF& at, double radius) const;
 
     const Appearance& m_appearance;
@@ -57,6 +62,8 @@ private:
     bool m_hovered = false;
     bool m_lost = false;
     std::optional<Orientation> m_turn;
+    std::optional<double> m_tipped;
+    Vec2d m_along; // unit, where it is tipped
 };
 
 } // namespace thetalane

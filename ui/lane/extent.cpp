@@ -65,6 +65,19 @@ QRectF wholeRect(const Run& run, double until) {
     return fitRect(run, until);
 }
 
+QRectF rackRect(const Run& run) {
+    constexpr double before = 0.3;
+    const Lane& lane = *run.scene.lane;
+    return toUnits({lane.left, -before}, {lane.right, lane.end});
+}
+
+QRectF foulLineRect(const Run& run) {
+    constexpr double before = 0.6, beyond = 5; // past the seven arrows
+    const Lane& lane = *run.scene.lane;
+    return toUnits({lane.left - lane.gutterWidth, lane.foulLine - before},
+                   {lane.right + lane.gutterWidth, lane.foulLine + beyond});
+}
+
 QRectF pairRect(const Collision& collision) {
     const PairCollision<double>& s = collision.steps;
     const double reach = overlayReach(collision);

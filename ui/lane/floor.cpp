@@ -249,6 +249,17 @@ double roundLength(double most) {
     return ten;
 }
 
+Scene floorOf(const Scene& scene) {
+    Scene floor;
+    floor.lane = scene.lane;
+    floor.frame = scene.frame;
+    floor.friction = scene.friction;
+    for (const Body& body : scene.bodies)
+        if (body.kind == BodyKind::Pin) // its spot
+            floor.bodies.push_back({body.id, body.kind, body.mass, body.radius, body.position, {}});
+    return floor;
+}
+
 void paintFloor(QPainter& painter, const Scene& scene, const Appearance& look, const QRectF& exposed) {
     const QRectF all = painter.worldTransform().mapRect(exposed).adjusted(-2, -2, 2, 2);
     painter.setRenderHint(QPainter::Antialiasing);

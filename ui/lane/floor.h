@@ -12,6 +12,9 @@ namespace thetalane {
 // 1, 2 or 5 times a power of ten: the largest that is not above `most`.
 double roundLength(double most);
 
+// What of a scene paintFloor() paints: alike for two scenes, and so is their floor.
+Scene floorOf(const Scene& scene);
+
 // Paints everything inside `exposed` [units]; the painter has the view's transform.
 void paintFloor(QPainter& painter, const Scene& scene, const Appearance& appearance, const QRectF& exposed);
 

@@ -25,41 +25,23 @@ std::optional<int> LaneView::bodyAt(const QPoint& pixel) const {
                             grabSlack / transform().m11());
 }
 
-Pointer LaneView::pointerAt(const QPoint& pixel) const {
-    return {toMetres(viewportTransform().inverted().map(QPointF(pixel))),
-            grabSlack / (transform().m11() * unitsPerMetre), QGuiApplication::keyboardModifiers()};
+Pointer LaneView::pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const {
+    return {toMetres(viewportTransform().inverted().map(pixel)),
+            grabSlack / (transform().m11() * unitsPerMetre), modifiers};
 }
 
-std::optional<LaneView::Grip> LaneView::gripAt(const QPoint& pixel) const {
-    const Pointer pointer = pointerAt(pixel);
-    for (LaneTool* tool : m_tools)
-        if (const auto handle = tool->handleAt(pointer))
-            return Grip{tool, *handle};
-    return std::nullopt;
+bool LaneView::grab(const QMouseEvent& event) {
+    if (!m_hand.press(pointerAt(event.position(), event.modifiers())))
+        return false;
+    emit gripped(true);
+    return true;
 }
 
-void LaneView::grab(const QPoint& pixel) {
-    m_grip = gripAt(pixel);
-    if (m_grip)
-        m_grip->tool->press(m_grip->handle, pointerAt(pixel));
-}
-
-void LaneView::letGo(bool abandon) {
-    const Grip grip = *m_grip;
-    m_grip.reset(); // first: what the tool does may ask the view
-    if (abandon)
-        grip.tool->abandon();
-    else
-        grip.tool->release();
-}
-
-void LaneView::hover(const QPoint& pixel) {
-    const auto grip = gripAt(pixel);
-    for (LaneTool* tool : m_tools)
-        tool->hover(grip && grip->tool == tool ? std::optional(grip->handle) : std::nullopt);
-    if (grip) {
+void LaneView::hover(const QPoint& pixel, Qt::KeyboardModifiers modifiers) {
+    const auto handle = m_hand.hover(pointerAt(pixel, modifiers));
+    if (handle) {
         m_scene.setHovered(std::nullopt);
-        viewport()->setCursor(grip->handle.cursor);
+        viewport()->setCursor(handle->cursor);
         return;
     }
     const auto body = bodyAt(pixel);
@@ -68,11 +50,20 @@ void LaneView::hover(const QPoint& pixel) {
                                                                  : Qt::OpenHandCursor);
 }
 
+// The arrow keys and Escape are the window's, except while a tool has a use for them.
+bool LaneView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && m_hand.wantsKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QGraphicsView::event(event);
+}
+
 bool LaneView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto grip = gripAt(help->pos()); grip && !grip->handle.tip.isEmpty())
-            QToolTip::showText(help->globalPos(), grip->handle.tip, viewport());
+        if (const auto handle = m_hand.handleAt(pointerAt(help->pos(), {})); handle && !handle->tip.isEmpty())
+            QToolTip::showText(help->globalPos(), handle->tip, viewport());
         else if (const auto body = bodyAt(help->pos()))
             QToolTip::showText(help->globalPos(), m_scene.bodyTip(*body), viewport());
         else
@@ -81,8 +72,7 @@ bool LaneView::viewportEvent(QEvent* event) {
     }
     if (event->type() == QEvent::Leave) {
         m_scene.setHovered(std::nullopt);
-        for (LaneTool* tool : m_tools)
-            tool->hover(std::nullopt);
+        m_hand.hover(std::nullopt);
     }
     return QGraphicsView::viewportEvent(event);
 }
@@ -93,10 +83,7 @@ void LaneView::wheelEvent(QWheelEvent* event) {
 }
 
 void LaneView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton)
-        return;
-    grab(event->position().toPoint());
-    if (m_grip)
+    if (event->button() != Qt::LeftButton || grab(*event))
         return;
     m_pressed = event->position().toPoint();
     m_dragged = *m_pressed;
@@ -105,10 +92,10 @@ void LaneView::mousePressEvent(QMouseEvent* event) {
 
 void LaneView::mouseMoveEvent(QMouseEvent* event) {
     const QPoint at = event->position().toPoint();
-    if (m_grip)
-        return m_grip->tool->drag(pointerAt(at));
+    if (m_hand.holds())
+        return m_hand.drag(pointerAt(event->position(), event->modifiers()));
     if (!m_pressed) {
-        hover(at);
+        hover(at, event->modifiers());
         return;
     }
     const int start = QGuiApplication::styleHints()->startDragDistance();
@@ -124,9 +111,10 @@ void LaneView::mouseMoveEvent(QMouseEvent* event) {
 void LaneView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton)
         return;
-    if (m_grip) {
-        letGo(false);
-        return hover(event->position().toPoint());
+    if (m_hand.holds()) {
+        m_hand.release();
+        emit gripped(false);
+        return hover(event->position().toPoint(), event->modifiers());
     }
     if (!m_pressed)
         return;
@@ -134,7 +122,7 @@ void LaneView::mouseReleaseEvent(QMouseEvent* event) {
     const QPoint at = event->position().toPoint();
     m_pressed.reset();
     m_dragging = false;
-    hover(at);
+    hover(at, event->modifiers());
     if (!click)
         return;
     const auto body = bodyAt(at);
@@ -149,21 +137,30 @@ void LaneView::mouseReleaseEvent(QMouseEvent* event) {
 
 // The first click of a double-click on a body has opened its collision, and the view has flown there.
 void LaneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    const QPoint at = event->position().toPoint();
-    if (event->button() == Qt::LeftButton && gripAt(at))
-        grab(at); // the second press of two is one, too
-    else if (event->button() == Qt::LeftButton && !m_clickOpened)
+    if (event->button() != Qt::LeftButton || grab(*event)) // the second press of two is one, too
+        return;
+    if (!m_clickOpened)
         fit();
 }
 
 // The arrow keys belong to the playhead: what is not ours goes on to the window.
 void LaneView::keyPressEvent(QKeyEvent* event) {
-    if (m_grip && event->key() == Qt::Key_Escape)
-        return letGo(true);
-    for (LaneTool* tool : m_tools)
-        if (tool->key(*event))
-            return;
+    const bool held = m_hand.holds();
+    if (m_hand.key(*event)) {
+        if (held && !m_hand.holds())
+            emit gripped(false);
+        return;
+    }
     switch (event->key()) {
+    case Qt::Key_C:
+        setFollowing(!following());
+        break;
+    case Qt::Key_P:
+        showRack();
+        break;
+    case Qt::Key_B:
+        showFoulLine();
+        break;
     case Qt::Key_F:
         fit();
         break;

@@ -7,8 +7,16 @@
 #include "ui/lane/zoom_buttons.h"
 
 #include <QHBoxLayout>
+#include <QSettings>
+
+#include <algorithm>
 
 namespace thetalane {
+namespace {
+
+const char* const followKey = "lane/follow";
+
+} // namespace
 
 LanePanel::LanePanel(const Context& context, QWidget* parent)
     : QWidget(parent)
@@ -28,17 +36,39 @@ LanePanel::LanePanel(const Context& context, QWidget* parent)
     layout->addWidget(m_strip);
     layout->addWidget(m_view, 1);
 
-    auto* buttons = new ZoomButtons(*m_view, context.appearance);
-    m_view->addToCorner(buttons, Qt::BottomRightCorner);
+    m_buttons = new ZoomButtons(*m_view, context.appearance);
+    // What was chosen; a hand on the camera is of the moment.
+    connect(m_buttons, &ZoomButtons::followChosen, this,
+            [](bool on) { QSettings().setValue(followKey, on); });
+    m_view->addToCorner(m_buttons, Qt::BottomRightCorner);
     m_view->addToCorner(m_badge, Qt::TopLeftCorner);
-    connect(buttons, &ZoomButtons::resized, m_view, &LaneView::placeCorners);
+    connect(m_buttons, &ZoomButtons::resized, m_view, &LaneView::placeCorners);
     connect(m_badge, &PinBadge::resized, m_view, &LaneView::placeCorners);
     connect(m_scene, &LaneScene::rebuilt, this, &LanePanel::adoptRun);
     adoptRun();
 }
 
 void LanePanel::adoptRun() {
-    m_strip->setVisible(m_scene->run().scene.lane.has_value());
+    const bool lane = m_scene->run().scene.lane.has_value();
+    m_strip->setVisible(lane);
+    m_buttons->setLane(lane);
+}
+
+void LanePanel::addTool(LaneTool& tool) {
+    m_tools.push_back(&tool);
+    m_view->addTool(tool);
+    m_strip->addTool(tool);
+    connect(&tool, &LaneTool::changed, this, &LanePanel::showArrows);
+    showArrows();
+}
+
+void LanePanel::showArrows() {
+    m_scene->setArrows(
+        std::none_of(m_tools.begin(), m_tools.end(), [](const LaneTool* t) { return t->drawsVelocities(); }));
+}
+
+void LanePanel::restoreChoices() {
+    m_view->setFollowing(QSettings().value(followKey, false).toBool());
 }
 
 void LanePanel::setReducedMotion(bool reduced) {

@@ -5,12 +5,16 @@
 
 #include <QWidget>
 
+#include <vector>
+
 namespace thetalane {
 
 class LaneScene;
 class LaneStrip;
+class LaneTool;
 class LaneView;
 class PinBadge;
+class ZoomButtons;
 
 class LanePanel : public QWidget {
     Q_OBJECT
@@ -25,6 +29,11 @@ public:
     LaneStrip& strip() { return *m_strip; } // hidden unless the scene is a lane
     PinBadge& badge() { return *m_badge; }
 
+    // What can be grabbed in the large view and on the strip. Not owned; it must live as long.
+    void addTool(LaneTool& tool);
+    // As the user left them: whether the camera follows the ball.
+    void restoreChoices();
+
     QSize sizeHint() const override { return {960, 640}; }
     QSize minimumSizeHint() const override { return {320, 240}; }
 
@@ -35,11 +44,14 @@ public slots:
 
 private:
     void adoptRun();
+    void showArrows();
 
     LaneScene* m_scene;
     LaneView* m_view;
     LaneStrip* m_strip;
     PinBadge* m_badge;
+    ZoomButtons* m_buttons = nullptr;
+    std::vector<LaneTool*> m_tools;
 };
 
 } // namespace thetalane

@@ -98,6 +98,9 @@ void LaneScene::showChapter() {
     m_run = m_context.session.run();
     m_paths->build(*m_run, std::min(m_context.session.shownUntil(), m_run->timeline.endTime()), m_inks);
     buildTurnings();
+    // In a later chapter it is not known what went down before.
+    const bool fromTheStart = m_context.session.part().collisionsBefore == 0;
+    m_falls = fromTheStart ? fallsOf(*m_run) : std::vector<std::optional<Fall>>(m_bodies.size());
     m_lasting->setUp(*m_run, sceneRect());
     showTime(m_context.playhead.time());
     showSelection();
@@ -121,6 +124,11 @@ void LaneScene::showTime(double time) {
         m_bodies[i]->setLost(m_states[i].place != Place::Play);
         if (i < m_turnings.size() && m_turnings[i].isKnown())
             m_bodies[i]->setTurn(m_turnings[i].at(time));
+        const auto& fall = m_falls[i];
+        if (fall && time >= fall->time)
+            m_bodies[i]->setTipped(tipped(*fall, time), fall->along);
+        else
+            m_bodies[i]->setTipped(std::nullopt, {});
     }
     m_lasting->setTime(time, m_states);
     m_paths->setTime(time, m_states);
@@ -146,7 +154,14 @@ void LaneScene::showSelection() {
         m_bodies[std::size_t(i)]->setRole(role);
     }
     m_paths->setReceding(collision != nullptr);
-    m_velocities->setVisible(!collision); // the overlay has its own
+    m_velocities->setVisible(!collision && m_arrows); // the overlay has its own
+}
+
+void LaneScene::setArrows(bool shown) {
+    if (shown == m_arrows)
+        return;
+    m_arrows = shown;
+    m_velocities->setVisible(shown && !selected());
 }
 
 const Collision* LaneScene::selected() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/context.h"
+#include "ui/lane/falling.h"
 #include "ui/lane/turning.h"
 
 #include <QGraphicsScene>
@@ -34,6 +35,7 @@ public:
     // The body at a point, or within `slack` of its edge [units].
     std::optional<int> bodyNear(const QPointF& at, double slack) const;
     void setHovered(std::optional<int> body);
+    void setArrows(bool shown);      // of the velocities; a tool may draw its own
     QString bodyTip(int body) const; // mass, speed, direction as they are now
 
     // The first collision of a body at or after the present time, after the one that is selected; in the
@@ -61,10 +63,12 @@ private:
     PathsItem* m_paths;
     VelocityItem* m_velocities;
     LastingItem* m_lasting;
-    std::vector<Turning> m_turnings; // of the balls, in a scene with friction
+    std::vector<Turning> m_turnings;          // of the balls, in a scene with friction
+    std::vector<std::optional<Fall>> m_falls; // of the pins
     std::optional<int> m_hovered;
     double m_metresPerSpeed = 0;
     std::vector<Ink> m_inks; // the bodies' while nothing is selected
+    bool m_arrows = true;
     QRectF m_fit;
     QRectF m_whole;
 };

@@ -2,13 +2,16 @@
 
 #include "ui/lane/arrow.h"
 #include "ui/lane/camera.h"
+#include "ui/lane/floor.h"
 #include "ui/lane/lane_scene.h"
 #include "ui/lane/lane_view.h"
 
 #include <QEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScrollBar>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -30,9 +33,10 @@ LaneStrip::LaneStrip(const Context& context, LaneScene& scene, LaneView& closeUp
     setTransformationAnchor(NoAnchor);
     setResizeAnchor(NoAnchor);
     setFocusPolicy(Qt::NoFocus); // it has nothing that the close-up's keys do not do
+    setMouseTracking(true);
     viewport()->setCursor(Qt::PointingHandCursor);
     connect(&closeUp, &LaneView::cameraChanged, viewport(), qOverload<>(&QWidget::update));
-    connect(&scene, &LaneScene::rebuilt, this, &LaneStrip::showAll);
+    connect(&scene, &LaneScene::rebuilt, this, &LaneStrip::adoptRun);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         updateGeometry();
         showAll();
@@ -42,6 +46,14 @@ LaneStrip::LaneStrip(const Context& context, LaneScene& scene, LaneView& closeUp
 
 QSize LaneStrip::sizeHint() const {
     return {11 * m_context.appearance.unit(), 400};
+}
+
+void LaneStrip::adoptRun() {
+    Scene floor = floorOf(m_scene.run().scene);
+    if (floor == m_floor)
+        return;
+    m_floor = std::move(floor);
+    showAll();
 }
 
 void LaneStrip::showAll() {
@@ -61,14 +73,13 @@ QRectF LaneStrip::frameOfCloseUp() const {
 
 void LaneStrip::drawForeground(QPainter* painter, const QRectF&) {
     const QRectF frame = frameOfCloseUp();
+    const Pixels pixels(*painter);
+    m_hand.paint(*painter, pixels, QRectF(viewport()->rect()));
     if (frame.isEmpty())
         return;
-    painter->save();
-    painter->resetTransform();
     painter->setPen(QPen(m_context.appearance.accent(), m_context.appearance.lineWidth()));
     painter->setBrush(faded(m_context.appearance.accent(), 0.08));
     painter->drawRoundedRect(frame, 3, 3);
-    painter->restore();
 }
 
 void LaneStrip::resizeEvent(QResizeEvent* event) {
@@ -76,13 +87,64 @@ void LaneStrip::resizeEvent(QResizeEvent* event) {
     showAll();
 }
 
+void LaneStrip::addTool(LaneTool& tool) {
+    m_hand.add(tool);
+    connect(&tool, &LaneTool::changed, viewport(), qOverload<>(&QWidget::update));
+}
+
+Pointer LaneStrip::pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const {
+    constexpr double slack = 6; // [px]
+    return {toMetres(viewportTransform().inverted().map(pixel)), slack / (transform().m11() * unitsPerMetre),
+            modifiers};
+}
+
+void LaneStrip::lookThere(const QPointF& pixel) {
+    m_closeUp.lookAt(viewportTransform().inverted().map(pixel));
+}
+
 void LaneStrip::mousePressEvent(QMouseEvent* event) {
-    if (event->buttons() & Qt::LeftButton)
-        m_closeUp.lookAt(viewportTransform().inverted().map(event->position()));
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_pressed = event->position();
+    m_moved = false;
+    if (m_hand.press(pointerAt(event->position(), event->modifiers())))
+        emit m_closeUp.gripped(true);
+    else
+        lookThere(event->position());
 }
 
 void LaneStrip::mouseMoveEvent(QMouseEvent* event) {
-    mousePressEvent(event);
+    const Pointer pointer = pointerAt(event->position(), event->modifiers());
+    if (m_hand.holds()) {
+        m_moved = m_moved || event->position() != m_pressed;
+        return m_hand.drag(pointer);
+    }
+    if (event->buttons() & Qt::LeftButton)
+        return lookThere(event->position());
+    const auto handle = m_hand.hover(pointer);
+    viewport()->setCursor(handle ? handle->cursor : Qt::PointingHandCursor);
+}
+
+// A click on what could be dragged looks there, as a click anywhere on the strip.
+void LaneStrip::mouseReleaseEvent(QMouseEvent*) {
+    if (!m_hand.holds())
+        return;
+    m_hand.release();
+    emit m_closeUp.gripped(false);
+    if (!m_moved)
+        lookThere(m_pressed);
+}
+
+bool LaneStrip::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto handle = m_hand.handleAt(pointerAt(help->pos(), {}));
+        QToolTip::showText(help->globalPos(), handle ? handle->tip : toolTip(), viewport());
+        return true;
+    }
+    if (event->type() == QEvent::Leave)
+        m_hand.hover(std::nullopt);
+    return QGraphicsView::viewportEvent(event);
 }
 
 void LaneStrip::wheelEvent(QWheelEvent* event) {

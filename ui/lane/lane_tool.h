@@ -43,8 +43,13 @@ public:
     virtual void release() = 0;
     virtual void abandon() = 0;
 
-    // A key while the lane has the focus; true: taken.
+    // A key while the lane has the focus; true: taken. One that it wants comes to it before the window's
+    // shortcuts do.
     virtual bool key(const QKeyEvent& event) = 0;
+    virtual bool wantsKey(const QKeyEvent&) const { return false; }
+
+    // It draws what the arrows of the velocities would say, now.
+    virtual bool drawsVelocities() const { return false; }
 
     // Over the bodies. Pixels of the viewport by `pixels`; `area`: the viewport [px].
     virtual void paint(QPainter& painter, const Pixels& pixels, const QRectF& area) const = 0;

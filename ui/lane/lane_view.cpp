@@ -49,6 +49,7 @@ LaneView::LaneView(const Context& context, LaneScene& scene, QWidget* parent)
     connect(&scene, &LaneScene::rebuilt, this, &LaneView::adoptRun);
     connect(&context.playhead, &Playhead::selectionChanged, this, &LaneView::showSelection);
     connect(&context.playhead, &Playhead::stageChanged, this, &LaneView::showStage);
+    connect(&context.playhead, &Playhead::timeChanged, this, &LaneView::follow);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         resetCachedContent();
         placeCorners();
@@ -64,7 +65,7 @@ void LaneView::adoptRun() {
         setCamera(m_to);
     }
     m_turning.stop();
-    resetCachedContent();
+    takeFloor();
     if (m_beforeSelection) {
         m_aim = m_beforeSelection->first;
         setCamera(m_beforeSelection->second);
@@ -76,21 +77,34 @@ void LaneView::adoptRun() {
         !whole.contains(m_camera.centre))
         m_aim = Aim::Fit;
     m_whole = whole;
-    if (m_aim == Aim::Fit)
-        setCamera(fitCamera());
+    if (m_aim == Aim::Follow && !hasLane())
+        m_aim = Aim::Fit;
+    if (m_aim == Aim::Fit && m_follow && hasLane())
+        m_aim = Aim::Follow;
+    if (m_aim == Aim::Fit || m_aim == Aim::Follow)
+        setCamera(cameraOf(m_aim));
     m_overlay.reset();
     showSelection();
+}
+
+// While a ball is aimed, run after run has the same floor, and painting it anew would be most of a frame.
+void LaneView::takeFloor() {
+    Scene floor = floorOf(m_scene.run().scene);
+    if (floor == m_floor)
+        return;
+    m_floor = std::move(floor);
+    resetCachedContent();
 }
 
 void LaneView::showSelection() {
     if (m_scene.selected()) {
         if (!m_beforeSelection)
             m_beforeSelection = {m_aim, target()};
-        flyTo(pairCamera(), Aim::Pair);
+        flyTo(cameraOf(Aim::Pair), Aim::Pair);
     } else if (m_beforeSelection) {
         const auto [aim, before] = *m_beforeSelection;
         m_beforeSelection.reset();
-        flyTo(aim == Aim::Fit ? fitCamera() : before, aim);
+        flyTo(aim == Aim::Free ? before : cameraOf(aim), aim);
     }
     m_overlay.reset();
     showStage();
@@ -141,17 +155,13 @@ void LaneView::flyTo(const Camera& target, Aim aim) {
 
 void LaneView::lookAt(const QPointF& centre) {
     m_flight.stop();
+    setFollowing(false);
     m_aim = Aim::Free;
     setCamera({clampCentre(centre), m_camera.scale});
 }
 
 Camera LaneView::fitCamera() const {
     return cameraFor(m_scene.fitRect(), viewport()->size(), 4 * m_context.appearance.unit());
-}
-
-Camera LaneView::pairCamera() const {
-    const Collision* collision = m_scene.selected();
-    return collision ? cameraFor(pairRect(*collision), viewport()->size(), 0) : fitCamera();
 }
 
 // From the whole scene to one body as large as the view.
@@ -173,6 +183,7 @@ QPointF LaneView::clampCentre(const QPointF& centre) const {
 
 void LaneView::zoomAbout(const QPointF& pixel, double factor) {
     m_flight.stop();
+    setFollowing(false);
     const double scale = clampScale(m_camera.scale * factor);
     const QPointF middle = QRectF(viewport()->rect()).center();
     const QPointF held = m_camera.centre + (pixel - middle) / m_camera.scale;
@@ -181,15 +192,17 @@ void LaneView::zoomAbout(const QPointF& pixel, double factor) {
 }
 
 void LaneView::flyToRect(const QRectF& units) {
+    setFollowing(false);
     flyTo(cameraFor(units, viewport()->size(), 4 * m_context.appearance.unit()), Aim::Free);
 }
 
 void LaneView::addTool(LaneTool& tool) {
-    m_tools.push_back(&tool);
+    m_hand.add(tool);
     connect(&tool, &LaneTool::changed, viewport(), qOverload<>(&QWidget::update));
 }
 
 void LaneView::fit() {
+    setFollowing(false);
     flyTo(fitCamera(), Aim::Fit);
 }
 void LaneView::zoomIn() {
@@ -203,7 +216,7 @@ void LaneView::resizeEvent(QResizeEvent* event) {
     QGraphicsView::resizeEvent(event);
     placeCorners();
     m_flight.stop();
-    setCamera(m_aim == Aim::Fit ? fitCamera() : m_aim == Aim::Pair ? pairCamera() : m_camera);
+    setCamera(cameraOf(m_aim));
 }
 
 void LaneView::drawForeground(QPainter* painter, const QRectF&) {
@@ -222,8 +235,7 @@ void LaneView::drawForeground(QPainter* painter, const QRectF&) {
         m_places = {};
     }
     const Pixels pixels(*painter);
-    for (const LaneTool* tool : m_tools)
-        tool->paint(*painter, pixels, area);
+    m_hand.paint(*painter, pixels, area);
     paintScaleBar(*painter, perMetre, corner, m_context.appearance);
     const double metresPerSpeed = m_overlay ? m_overlay->metresPerSpeed : m_scene.metresPerSpeed();
     paintSpeedScale(*painter, perMetre * metresPerSpeed, corner + QPointF(130, 0), m_context.appearance);

@@ -3,9 +3,9 @@
 
 #include "ui/context.h"
 #include "ui/lane/camera.h"
-#include "ui/lane/lane_tool.h"
 #include "ui/lane/overlay_painter.h"
 #include "ui/lane/step_overlay.h"
+#include "ui/lane/tool_hand.h"
 
 #include <QGraphicsView>
 #include <QVariantAnimation>
@@ -35,6 +35,8 @@ public:
     void addTool(LaneTool& tool);
     Camera target() const { return m_flight.state() == QVariantAnimation::Running ? m_to : m_camera; }
     void flyToRect(const QRectF& units); // and stay there
+    // The camera goes down the lane with the ball and ends at the rack; a hand on the camera ends it.
+    bool following() const { return m_follow; }
 
     // Puts a small widget into a corner; labels keep away from it.
     void addToCorner(QWidget* widget, Qt::Corner corner);
@@ -44,12 +46,18 @@ public slots:
     void fit();
     void zoomIn();
     void zoomOut();
+    void setFollowing(bool on);
+    void showRack();     // of a lane: the pins alone
+    void showFoulLine(); // of a lane: from the ball to where one aims
 
 signals:
     void cameraChanged();
+    void followingChanged(bool on);
+    void gripped(bool on); // a gesture of a tool began, or ended
 
 protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
+    bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -61,18 +69,11 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Aim { Fit, Pair, Free }; // what the camera keeps to when the window changes its size
+    enum class Aim { Fit, Pair, Follow, Free }; // what the camera keeps to when the window changes its size
     struct Corner {
         QWidget* widget;
         Qt::Corner corner;
     };
-
-    struct Grip {
-        LaneTool* tool;
-        Handle handle;
-    };
-    std::optional<Grip> gripAt(const QPoint& pixel) const;
-
     void retranslate();
     void adoptRun();
     void showSelection();
@@ -80,14 +81,17 @@ private:
     void setCamera(const Camera& camera);
     void flyTo(const Camera& camera, Aim aim);
     Camera fitCamera() const;
-    Camera pairCamera() const;
+    Camera followCamera() const;
+    Camera cameraOf(Aim aim) const;
+    bool hasLane() const;
+    void follow();
     double clampScale(double scale) const;
     QPointF clampCentre(const QPointF& centre) const;
     void zoomAbout(const QPointF& pixel, double factor);
-    void hover(const QPoint& pixel);
-    Pointer pointerAt(const QPoint& pixel) const;
-    void grab(const QPoint& pixel);
-    void letGo(bool abandon);
+    void hover(const QPoint& pixel, Qt::KeyboardModifiers modifiers);
+    Pointer pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
+    bool grab(const QMouseEvent& event);
+    void takeFloor();
     std::optional<int> bodyAt(const QPoint& pixel) const;
     std::vector<QRectF> cornerRects() const;
 
@@ -99,15 +103,14 @@ private:
     Camera m_camera, m_from, m_to;
     QRectF m_whole; // of the run before [units]
     std::optional<std::pair<Aim, Camera>> m_beforeSelection;
-
     std::optional<StepOverlay> m_overlay;
     StepOverlay m_previous;
     QVariantAnimation m_turning; // from one stage to the next
     OverlayPlaces m_places;
-
     std::vector<Corner> m_corners;
-    std::vector<LaneTool*> m_tools;
-    std::optional<Grip> m_grip; // of a gesture under way
+    ToolHand m_hand;
+    bool m_follow = false;
+    Scene m_floor; // what the cached background shows
     std::optional<QPoint> m_pressed;
     QPoint m_dragged; // the last place of the drag
     bool m_dragging = false;

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t mostBodies = 60;      // more paths than that are a tangle, not a picture
 constexpr std::size_t walkedStretches = 12; // in a closed frame the oldest are let go
 constexpr std::size_t comingStretches = 3;  // and of what will come, the next few are shown
+constexpr std::size_t thrownStretches = 40; // of a ball on a lane more: that is what one aims by
 constexpr double sag = 0.2;                 // [px] of a piece of a curve
 
 QPointF mixed(const QPointF& a, const QPointF& b, double share) {
@@ -29,6 +30,7 @@ void PathsItem::build(const Run& run, double until, std::vector<Ink> inks) {
     prepareGeometryChange();
     m_paths.clear();
     m_bounds = {};
+    m_lane = run.scene.lane.has_value();
     if (run.scene.bodies.size() > mostBodies)
         return;
     m_paths.resize(run.scene.bodies.size());
@@ -151,7 +153,8 @@ void PathsItem::collectToCome(const Path& path, const QTransform& toPixels, cons
     };
     if (path.next > 0)
         add(path.stretches[path.next - 1].part(path.share, 1));
-    const std::size_t end = std::min(path.stretches.size(), path.next + comingStretches - 1);
+    const std::size_t coming = m_lane && !path.pin ? thrownStretches : comingStretches;
+    const std::size_t end = std::min(path.stretches.size(), path.next + coming - 1);
     for (std::size_t k = path.next; k < end; ++k)
         add(path.stretches[k]);
 }

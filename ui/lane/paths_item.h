@@ -57,6 +57,7 @@ private:
     std::vector<QRect> m_dots;
     QRectF m_bounds;
     bool m_receding = false;
+    bool m_lane = false;
 };
 
 } // namespace thetalane

@@ -1,4 +1,5 @@
-// How many pins the ball and the other pins have touched (the paper's figure 14), and how many went down.
+// How many pins the ball and the other pins have touched (the paper's figure 14), and how many went down; of
+// a rack also which, on a picture of the deck.
 #pragma once
 
 #include "ui/context.h"
@@ -16,6 +17,8 @@ public:
 
     int touched() const { return m_touched; }
     int down() const { return m_down; }
+    bool showsDeck() const { return !m_spots.empty(); }
+    std::vector<int> standing() const; // bodies, of the deck's picture
     bool hasPins() const { return m_pins > 0; }
     QSize sizeHint() const override;
 
@@ -31,6 +34,15 @@ private:
     void adoptChapter();
     void showTime(double time);
     void retranslate();
+    double deckWidth() const;
+    void paintDeck(QPainter& painter, const QRectF& box) const;
+
+    // One pin of the deck's picture: where it stood, and what became of it.
+    struct Spot {
+        int body = 0;
+        Vec2d place;
+        bool down = false;
+    };
 
     Context m_context;
     std::shared_ptr<const Run> m_run;
@@ -41,6 +53,7 @@ private:
     bool m_later = false;   // the present chapter is not the first
     int m_touched = 0;
     int m_down = 0;
+    std::vector<Spot> m_spots; // of a rack's pins; none of other scenes'
     QString m_touchedText;
     QString m_downText;
 };

@@ -1,4 +1,5 @@
-// Zoom in, zoom out, show everything: three small buttons in a corner of the lane.
+// Zoom in, zoom out, show everything; on a lane also the rack, the foul line and a camera that follows the
+// ball: small buttons in a corner.
 #pragma once
 
 #include "ui/appearance.h"
@@ -6,7 +7,7 @@
 #include <QAbstractButton>
 #include <QWidget>
 
-#include <array>
+#include <vector>
 
 namespace thetalane {
 
@@ -17,20 +18,25 @@ class ZoomButtons : public QWidget {
 public:
     ZoomButtons(LaneView& view, const Appearance& appearance, QWidget* parent = nullptr);
 
+    void setLane(bool lane); // with the lane's own
     QSize sizeHint() const override;
 
 signals:
     void resized();
+    void followChosen(bool on); // by the button
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    enum Place { Rack, FoulLine, Follow, In, Out, Fit, placeCount };
+
     void retranslate();
     void arrange();
 
     const Appearance& m_appearance;
-    std::array<QAbstractButton*, 3> m_buttons; // in, out, fit
+    std::vector<QAbstractButton*> m_buttons; // by Place
+    bool m_lane = false;
 };
 
 } // namespace thetalane

@@ -6,6 +6,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
 #include <QStyle>
 #include <QWheelEvent>
 
@@ -54,6 +56,43 @@ void NumberField::restyle() {
     // The widest unit there is, so that the fields of a column end at the same place.
     m_unit->setFixedWidth(QFontMetrics(m_unit->font()).horizontalAdvance(QStringLiteral("rad/s")) + 2);
     m_edit->setMinimumWidth(m_appearance.unit() * 7);
+    if (!m_unitButton)
+        return;
+    m_unitButton->setFont(m_unit->font());
+    m_unitButton->setFixedWidth(m_unit->width());
+    m_unitButton->setStyleSheet(
+        QStringLiteral("QPushButton { border: none; background: transparent; padding: 0; text-align: left; "
+                       "color: %1; } QPushButton:hover, QPushButton:focus { text-decoration: underline; }")
+            .arg(m_appearance.accent().name()));
+}
+
+void NumberField::setUnits(const QStringList& units, int chosen) {
+    if (!m_unitButton) {
+        m_unitButton = new QPushButton(this);
+        m_unitButton->setObjectName(m_edit->objectName() + QStringLiteral("Unit"));
+        m_unitButton->setFocusPolicy(Qt::TabFocus);
+        m_unitButton->setCursor(Qt::PointingHandCursor);
+        m_unitMenu = new QMenu(this);
+        connect(m_unitButton, &QPushButton::clicked, this, &NumberField::showUnitMenu);
+        delete layout()->replaceWidget(m_unit, m_unitButton);
+        m_unit->hide();
+        for (int k = 0; k < units.size(); ++k)
+            m_unitMenu->addAction(units[k], this, [this, k] { emit unitChosen(k); })->setCheckable(true);
+    }
+    const auto actions = m_unitMenu->actions();
+    for (int k = 0; k < actions.size(); ++k)
+        actions[k]->setChecked(k == chosen);
+    m_unitButton->setText(units[chosen]);
+    restyle();
+}
+
+void NumberField::setUnitWords(const QString& name, const QString& toolTip) {
+    m_unitButton->setAccessibleName(name);
+    m_unitButton->setToolTip(toolTip);
+}
+
+void NumberField::showUnitMenu() {
+    m_unitMenu->popup(m_unitButton->mapToGlobal(QPoint(0, m_unitButton->height())));
 }
 
 void NumberField::setStep(double step, double low, double high) {

@@ -12,6 +12,8 @@
 
 class QLabel;
 class QLineEdit;
+class QMenu;
+class QPushButton;
 
 namespace thetalane {
 
@@ -28,6 +30,9 @@ public:
     void setStep(double step, double low = -std::numeric_limits<double>::infinity(),
                  double high = std::numeric_limits<double>::infinity());
     void setUnit(const QString& unit);
+    // The unit becomes a button, named as the edit and "Unit", with a menu of them.
+    void setUnits(const QStringList& units, int chosen);
+    void setUnitWords(const QString& name, const QString& toolTip);
     void setWords(const QString& name, const QString& toolTip);
 
     // Empty, or why the text is no number, in the language of now.
@@ -40,12 +45,14 @@ public:
 signals:
     void edited(double value); // a number was entered that is not the one before, or mends an unreadable text
     void becameUnreadable();
+    void unitChosen(int index); // of setUnits(), by the user
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void restyle();
+    void showUnitMenu();
     void commit();
     void stepBy(int steps, Qt::KeyboardModifiers modifiers);
     void show(double value);
@@ -54,6 +61,8 @@ private:
     const Appearance& m_appearance;
     QLineEdit* m_edit;
     QLabel* m_unit;
+    QPushButton* m_unitButton = nullptr; // in the label's place
+    QMenu* m_unitMenu = nullptr;
     QString m_shown; // what was put into the edit for m_value
     QString m_unread;
     double m_value = 0;

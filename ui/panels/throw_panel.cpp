@@ -1,9 +1,10 @@
 #include "ui/panels/throw_panel.h"
 
+#include "ui/panels/spin_dial.h"
 #include "ui/panels/value_row.h"
-#include "ui/words/number_text.h"
-#include "ui/words/scene_text.h"
 
+#include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -15,22 +16,24 @@
 namespace thetalane {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;      // rad
-constexpr double rpm = 2 * std::numbers::pi / 60;      // rad/s
-constexpr double pound = 0.45359237;                   // kg
 constexpr double halfLane = regulation::laneWidth / 2; // m
 constexpr double maxSpeed = 100;                       // m/s
-constexpr int boards = 39;
 
-// In the order of the default throw's own arithmetic: typing 1.5 gives its very bits.
-double radians(double degrees) {
-    return degrees * std::numbers::pi / 180;
+constexpr std::array massUnits{MassUnit::Kilogram, MassUnit::Pound};
+constexpr std::array speedUnits{SpeedUnit::MetresPerSecond, SpeedUnit::KilometresPerHour,
+                                SpeedUnit::MilesPerHour};
+
+template <class Units> QStringList symbolsOf(const Units& units) {
+    QStringList symbols;
+    for (const auto unit : units)
+        symbols << unitSymbol(unit);
+    return symbols;
 }
 
-// Counted from the right, as bowlers do.
-int boardAt(double position) {
-    const double width = regulation::laneWidth / boards;
-    return int(std::clamp(std::floor((halfLane - position) / width) + 1, 1.0, double(boards)));
+// What is shown already stands for the exact value behind it.
+void put(double& kept, double shown, double value, double meant) {
+    if (value != shown)
+        kept = meant;
 }
 
 // A lane of the user's own has no throw; its ball is one.
@@ -57,11 +60,15 @@ Throw throwOf(const Session& session) {
 
 ThrowPanel::ThrowPanel(const Context& context, QWidget* parent)
     : Panel(context, parent)
+    , m_dial(new SpinDial(context.appearance, QStringLiteral("spinDial"), this))
     , m_rollNote(new QLabel(this))
+    , m_pathLabel(new QLabel(this))
+    , m_path(new QComboBox(this))
     , m_throwButton(new QPushButton(this))
     , m_default(new QPushButton(this))
     , m_column(new QVBoxLayout)
-    , m_foot(new QVBoxLayout) {
+    , m_foot(new QVBoxLayout)
+    , m_spinRow(new QHBoxLayout) {
     setObjectName(QStringLiteral("throwPanel"));
     makeRows();
     auto* scroll = new QScrollArea(this);
@@ -76,8 +83,11 @@ ThrowPanel::ThrowPanel(const Context& context, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(scroll, 1);
     layout->addLayout(m_foot);
+    makePathAhead();
     makeButtons(*m_foot);
     connect(&session(), &Session::runChanged, this, &ThrowPanel::showThrow);
+    connect(&session(), &Session::edited, this, &ThrowPanel::foresee);
+    connect(&session(), &Session::opened, this, &ThrowPanel::foresee);
     restyle();
     retranslate();
     showThrow();
@@ -90,12 +100,12 @@ void ThrowPanel::makeRows() {
         const char* unit;
     };
     static constexpr Kind kinds[rowCount] = {
-        {"weight", {2.7, regulation::maxBallMass, 0.01, 2.7}, "kg"},
-        {"speed", {4, 12, 0.1, 4}, "m/s"},
-        {"direction", {-6, 6, 0.1, 0}, "°"},
-        {"position", {-0.52, 0.52, 0.01, 0}, "m"},
-        {"rotation", {0, 600, 10, 0}, "rpm"},
-        {"axis", {-90, 90, 1, 0}, "°"},
+        {"weight", {}, ""}, // in units to choose
+        {"speed", {}, ""},
+        {"direction", directionSpan, "°"},
+        {"position", positionSpan, "m"},
+        {"rotation", rotationSpan, "rpm"},
+        {"axis", axisSpan, "°"},
         {"pinRestitution", {0, 1, 0.01, 0}, ""},
     };
     for (int r = 0; r < rowCount; ++r) {
@@ -107,11 +117,71 @@ void ThrowPanel::makeRows() {
         m_rows[std::size_t(r)] = row;
         m_column->addWidget(row);
         if (r == Axis)
-            m_column->addWidget(m_rollNote);
+            makeDial();
     }
+    connect(m_rows[Mass], &ValueRow::unitChosen, this, [this](int k) {
+        chooseUnits({massUnits[std::size_t(k)], m_units.speed});
+    });
+    connect(m_rows[Speed], &ValueRow::unitChosen, this, [this](int k) {
+        chooseUnits({m_units.mass, speedUnits[std::size_t(k)]});
+    });
+    setUnits({});
+    m_column->addStretch(1);
+}
+
+void ThrowPanel::makeDial() {
     m_rollNote->setObjectName(QStringLiteral("rollNote"));
     m_rollNote->setWordWrap(true);
-    m_column->addStretch(1);
+    m_spinRow->addWidget(m_dial);
+    m_spinRow->addWidget(m_rollNote, 1);
+    m_column->addLayout(m_spinRow);
+    connect(m_dial, &SpinDial::edited, this, &ThrowPanel::takeSpin);
+}
+
+void ThrowPanel::makePathAhead() {
+    m_path->setObjectName(QStringLiteral("pathAhead"));
+    m_path->addItems({QString(), QString()});
+    m_pathLabel->setBuddy(m_path);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_pathLabel);
+    row->addWidget(m_path, 1);
+    m_foot->addLayout(row);
+    connect(m_path, &QComboBox::activated, this, [this](int index) {
+        m_foresight = Foresight(index);
+        session().setForesight(m_foresight);
+    });
+}
+
+void ThrowPanel::setUnits(const ThrowUnits& units) {
+    m_units = units;
+    const auto indexOf = [](const auto& all, auto unit) {
+        return int(std::find(all.begin(), all.end(), unit) - all.begin());
+    };
+    m_rows[Mass]->setSpan(massSpan(units.mass));
+    m_rows[Mass]->setUnits(symbolsOf(massUnits), indexOf(massUnits, units.mass));
+    m_rows[Speed]->setSpan(speedSpan(units.speed));
+    m_rows[Speed]->setUnits(symbolsOf(speedUnits), indexOf(speedUnits, units.speed));
+    showNumbers();
+    emit unitsChanged(units);
+}
+
+void ThrowPanel::chooseUnits(const ThrowUnits& units) {
+    if (units == m_units)
+        return setUnits(units); // the menu's mark stays where it was
+    rememberThrowUnits(units);
+    setUnits(units);
+    showNotes();
+    showErrors();
+}
+
+// A throw that was edited is shown as far as was wished; one that was thrown, to its end.
+void ThrowPanel::foresee() {
+    if (session().currentThrow() && playhead().time() == 0 && !playhead().playing())
+        session().setForesight(m_foresight);
+}
+
+double ThrowPanel::factorOf(int row) const {
+    return row == Mass ? inKilograms(m_units.mass) : row == Speed ? inMetresPerSecond(m_units.speed) : 1;
 }
 
 void ThrowPanel::makeButtons(QVBoxLayout& layout) {
@@ -130,31 +200,6 @@ void ThrowPanel::makeButtons(QVBoxLayout& layout) {
             [this] { session().setThrow(Throw{}, defaultPinRestitution); });
 }
 
-void ThrowPanel::retranslate() {
-    const auto say = [this](Row row, const QString& label, const QString& toolTip) {
-        m_rows[row]->setWords(label, toolTip);
-    };
-    say(Mass, tr("Ball mass"), tr("Mass of the ball: more than 0, at most 7.26 kg"));
-    say(Speed, tr("Speed"), tr("Speed at the foul line: more than 0, at most 100 m/s"));
-    say(Direction, tr("Direction"), tr("Angle from straight down the lane, positive to the right"));
-    say(Position, tr("Position"),
-        tr("The ball's centre at the foul line, from the middle, positive to the right; boards are counted "
-           "from the right"));
-    say(Spin, tr("Rotation"),
-        tr("Turns a minute at the foul line; it acts through the friction of the lane"));
-    say(Axis, tr("Axis of rotation"),
-        tr("0: a forward roll; positive: turned so that the ball hooks to the left, 90: side spin alone"));
-    say(Restitution, tr("Coefficient of restitution e"), tr("Between ball and pins, and pins and pins"));
-    m_throwButton->setText(tr("Throw"));
-    m_throwButton->setToolTip(tr("Throw the ball from the foul line"));
-    m_throwButton->setAccessibleName(tr("Throw"));
-    m_default->setText(tr("Default throw"));
-    m_default->setToolTip(tr("Every attribute as it was at first"));
-    m_default->setAccessibleName(tr("Default throw"));
-    showNotes();
-    showErrors();
-}
-
 void ThrowPanel::restyle() {
     Panel::restyle();
     const int unit = appearance().unit();
@@ -162,7 +207,10 @@ void ThrowPanel::restyle() {
     m_column->setSpacing(unit);
     m_foot->setContentsMargins(unit, unit, unit, unit);
     m_foot->setSpacing(unit / 2);
+    m_spinRow->setSpacing(unit);
     makeQuiet(*m_rollNote, appearance());
+    m_pathLabel->setFont(appearance().font(Appearance::Size::Normal));
+    m_path->setFont(appearance().font(Appearance::Size::Normal));
     m_default->setFont(appearance().font(Appearance::Size::Normal));
     m_throwButton->setFont(appearance().font(Appearance::Size::Large, true));
 }
@@ -174,36 +222,49 @@ void ThrowPanel::showThrow() {
     m_throw = throwOf(session());
     m_restitution = session().scene().restitution;
     m_errors.clear();
-    m_rows[Mass]->setValue(m_throw.mass);
-    m_rows[Speed]->setValue(m_throw.speed);
-    m_rows[Direction]->setValue(m_throw.direction / degree);
-    m_rows[Position]->setValue(m_throw.position);
-    m_rows[Spin]->setValue(m_throw.spin / rpm);
-    m_rows[Axis]->setValue(m_throw.axis / degree);
-    m_rows[Restitution]->setValue(m_restitution);
+    showNumbers();
     showNotes();
     showErrors();
 }
 
+void ThrowPanel::showNumbers() {
+    m_rows[Mass]->setValue(m_throw.mass / factorOf(Mass));
+    m_rows[Speed]->setValue(m_throw.speed / factorOf(Speed));
+    m_rows[Direction]->setValue(m_throw.direction / perDegree);
+    m_rows[Position]->setValue(m_throw.position);
+    m_rows[Spin]->setValue(m_throw.spin / perRpm);
+    m_rows[Axis]->setValue(m_throw.axis / perDegree);
+    m_rows[Restitution]->setValue(m_restitution);
+}
+
+void ThrowPanel::takeSpin(double rpm, double axis) {
+    m_rows[Spin]->setValue(rpm);
+    m_rows[Axis]->setValue(axis);
+    put(m_throw.spin, m_throw.spin / perRpm, rpm, rpm * perRpm);
+    put(m_throw.axis, m_throw.axis / perDegree, axis, radians(axis));
+    apply();
+}
+
 void ThrowPanel::take(int row, double value) {
+    const double factor = factorOf(row);
     switch (row) {
     case Mass:
-        m_throw.mass = value;
+        put(m_throw.mass, m_throw.mass / factor, value, value * factor);
         break;
     case Speed:
-        m_throw.speed = value;
+        put(m_throw.speed, m_throw.speed / factor, value, value * factor);
         break;
     case Direction:
-        m_throw.direction = radians(value);
+        put(m_throw.direction, m_throw.direction / perDegree, value, radians(value));
         break;
     case Position:
         m_throw.position = value;
         break;
     case Spin:
-        m_throw.spin = value * rpm;
+        put(m_throw.spin, m_throw.spin / perRpm, value, value * perRpm);
         break;
     case Axis:
-        m_throw.axis = radians(value);
+        put(m_throw.axis, m_throw.axis / perDegree, value, radians(value));
         break;
     default:
         m_restitution = value;
@@ -215,12 +276,15 @@ std::vector<SceneError> ThrowPanel::wrongRows() const {
     std::vector<SceneError> wrong;
     const auto need = [&](Row row, double low, double high) {
         const double value = m_rows[row]->value();
-        if (!(value >= low && value <= high))
+        const double factor = factorOf(row);
+        // Of another unit as many digits as can be typed back.
+        const double most = factor == 1 ? high : std::floor(high / factor * 100) / 100;
+        if (!(value * factor >= low && value * factor <= high))
             wrong.push_back({.code = SceneErrorCode::OutOfRange,
                              .path = std::to_string(row),
                              .value = value,
                              .low = low,
-                             .high = high});
+                             .high = most});
     };
     const auto needPositive = [&](Row row, double high) {
         if (m_rows[row]->value() > 0)
@@ -249,57 +313,6 @@ void ThrowPanel::apply() {
     }
     showNotes();
     showErrors();
-}
-
-void ThrowPanel::showErrors() {
-    for (int r = 0; r < rowCount; ++r) {
-        QString message = m_rows[std::size_t(r)]->unreadable();
-        for (const SceneError& error : m_errors)
-            if (message.isEmpty() && error.path == std::to_string(r))
-                message = r == Direction
-                              ? tr("must be between −90 and 90, is %1").arg(numberText(error.value))
-                              : sceneErrorMessage(error);
-        m_rows[std::size_t(r)]->setMessage(message);
-    }
-}
-
-void ThrowPanel::showNotes() {
-    const double direction = m_rows[Direction]->value();
-    m_rows[Mass]->setNote(QString::number(m_rows[Mass]->value() / pound, 'f', 1) + QStringLiteral(" lb"));
-    m_rows[Speed]->setNote(QString::number(m_rows[Speed]->value() * 3.6, 'f', 1) + QStringLiteral(" km/h"));
-    m_rows[Direction]->setNote(direction > 0   ? tr("to the right")
-                               : direction < 0 ? tr("to the left")
-                                               : tr("straight"));
-    m_rows[Position]->setNote(tr("board %1").arg(boardAt(m_rows[Position]->value())));
-    showRoll();
-}
-
-// What rotation and axis do to this throw, on this lane.
-void ThrowPanel::showRoll() {
-    const double axis = m_rows[Axis]->value();
-    const bool turns = m_rows[Spin]->value() > 0;
-    const double sideways = turns ? std::sin(radians(axis)) : 0;
-    const bool aside = std::abs(sideways) > 1e-12;
-    m_rows[Axis]->setNote(!turns         ? QString()
-                          : !aside       ? tr("forward roll")
-                          : sideways > 0 ? tr("hooks left")
-                                         : tr("hooks right"));
-    const auto& friction = session().scene().friction;
-    if (!friction)
-        m_rollNote->setText(tr("This lane has no friction, so rotation does not change the path."));
-    else if (!turns)
-        m_rollNote->setText(tr(
-            "Thrown without rotation, the ball slides until friction makes it roll; its path is straight."));
-    else if (!aside)
-        m_rollNote->setText(
-            tr("Rotation about the axis of a forward roll changes how soon the ball rolls; its "
-               "path stays straight."));
-    else
-        m_rollNote->setText(
-            friction->oil.empty()
-                ? tr("The ball slides and curves aside until it rolls; then it goes straight on.")
-                : tr("The ball slides and curves aside until it rolls: little on the oil, more beyond it; "
-                     "then it goes straight on."));
 }
 
 void ThrowPanel::throwBall() {

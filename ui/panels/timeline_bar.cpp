@@ -3,13 +3,22 @@
 #include "ui/panels/icon_button.h"
 #include "ui/panels/rate_chooser.h"
 #include "ui/panels/scrub_bar.h"
+#include "ui/panels/slow_motion_button.h"
 #include "ui/panels/time_readout.h"
 #include "ui/panels/until_chooser.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QSettings>
+
+#include <algorithm>
 
 namespace thetalane {
+namespace {
+
+const char* const slowKey = "playback/slowAtImpact";
+
+} // namespace
 
 TimelineBar::TimelineBar(const Context& context, QWidget* parent)
     : Panel(context, parent)
@@ -18,7 +27,7 @@ TimelineBar::TimelineBar(const Context& context, QWidget* parent)
     setObjectName(QStringLiteral("timelineBar"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     makeControls(); // first: the Tab key meets them first
-    m_rate = new RateChooser(context, this);
+    makeRate(context);
     m_scrub = new ScrubBar(context, this);
     m_readout = new TimeReadout(context, this);
     m_until = new UntilChooser(context, this);
@@ -63,6 +72,35 @@ void TimelineBar::makeControls() {
         add(Icon::CollisionForward, "collisionForwardButton", [this] { playhead().stepCollisions(1); });
 }
 
+void TimelineBar::makeRate(const Context& context) {
+    m_rate = new QWidget(this);
+    auto* row = new QHBoxLayout(m_rate);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    row->addWidget(new RateChooser(context, m_rate));
+    m_slow = new SlowMotionButton(context, m_rate);
+    row->addWidget(m_slow);
+    connect(m_slow, &QAbstractButton::clicked, this, [](bool on) { QSettings().setValue(slowKey, on); });
+    connect(&session(), &Session::runChanged, this, &TimelineBar::showPins);
+    showPins();
+}
+
+// Where there are none, there is nothing to be slow for.
+void TimelineBar::showPins() {
+    const auto& bodies = session().scene().bodies;
+    const bool pins =
+        std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.kind == BodyKind::Pin; });
+    if (m_slow->isHidden() != pins)
+        return;
+    m_slow->setVisible(pins);
+    if (m_until)
+        arrange();
+}
+
+void TimelineBar::restoreChoices() {
+    playhead().setSlowAtImpact(QSettings().value(slowKey, false).toBool());
+}
+
 void TimelineBar::retranslate() {
     m_start->setWords(tr("To the start"), tr("To the start (R)"));
     m_collisionBack->setWords(tr("Collision before"), tr("Collision before (Ctrl+←)"));
@@ -102,7 +140,7 @@ void TimelineBar::arrange() {
     const int unit = appearance().unit();
     const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() + timesWidth() + 5 * unit;
     m_wide = width() >= others + 40 * unit;
-    for (QWidget* part : {m_controls, static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_scrub),
+    for (QWidget* part : {m_controls, m_rate, static_cast<QWidget*>(m_scrub),
                           static_cast<QWidget*>(m_readout), static_cast<QWidget*>(m_until)})
         m_grid->removeWidget(part);
     for (int column = 0; column < 5; ++column)

@@ -8,8 +8,8 @@ class QGridLayout;
 namespace thetalane {
 
 class IconButton;
-class RateChooser;
 class ScrubBar;
+class SlowMotionButton;
 class TimeReadout;
 class UntilChooser;
 
@@ -19,6 +19,8 @@ public:
     explicit TimelineBar(const Context& context, QWidget* parent = nullptr);
 
     void retranslate() override;
+    // As the user left them: slow motion at impact.
+    void restoreChoices();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -28,6 +30,8 @@ protected:
 
 private:
     void makeControls();
+    void makeRate(const Context& context);
+    void showPins();
     void arrange();
     void showPlaying();
     void showReachable();
@@ -40,7 +44,8 @@ private:
     IconButton* m_play = nullptr;
     IconButton* m_frameForward = nullptr;
     IconButton* m_collisionForward = nullptr;
-    RateChooser* m_rate = nullptr;
+    QWidget* m_rate = nullptr; // how fast, and whether slower at impact
+    SlowMotionButton* m_slow = nullptr;
     ScrubBar* m_scrub = nullptr;
     TimeReadout* m_readout = nullptr;
     UntilChooser* m_until = nullptr;

@@ -25,8 +25,7 @@ ValueRow::ValueRow(const Appearance& appearance, const QString& name, const Span
     m_label->setBuddy(m_field->edit());
     m_label->setWordWrap(true);
     m_field->setUnit(unit);
-    m_field->setStep(span.step, span.low, span.high);
-    m_slider->setSpan(span.low, span.high, span.step, span.origin);
+    setSpan(span);
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->addWidget(m_label, 0, 0);
     m_grid->addWidget(m_field, 0, 1);
@@ -39,6 +38,7 @@ ValueRow::ValueRow(const Appearance& appearance, const QString& name, const Span
         emit edited(value);
     });
     connect(m_field, &NumberField::becameUnreadable, this, &ValueRow::becameUnreadable);
+    connect(m_field, &NumberField::unitChosen, this, &ValueRow::unitChosen);
     connect(m_slider, &ValueSlider::numberEdited, this, [this](double value) {
         m_field->setValue(value);
         emit edited(value);
@@ -57,6 +57,19 @@ void ValueRow::restyle() {
     m_label->setFont(m_appearance.font(Appearance::Size::Normal));
     makeQuiet(*m_note, m_appearance);
     makeMessage(*m_message, m_appearance);
+}
+
+void ValueRow::setSpan(const Span& span) {
+    m_field->setStep(span.step, span.low, span.high);
+    m_slider->setSpan(span.low, span.high, span.step, span.origin);
+}
+
+void ValueRow::setUnits(const QStringList& units, int chosen) {
+    m_field->setUnits(units, chosen);
+}
+
+void ValueRow::setUnitWords(const QString& name, const QString& toolTip) {
+    m_field->setUnitWords(name, toolTip);
 }
 
 double ValueRow::value() const {

@@ -31,6 +31,11 @@ public:
     double value() const;
     void setValue(double value);
 
+    void setSpan(const Span& span);
+    // Units to choose from; the values are then in the chosen one.
+    void setUnits(const QStringList& units, int chosen);
+    void setUnitWords(const QString& name, const QString& toolTip);
+
     void setWords(const QString& label, const QString& toolTip);
     void setNote(const QString& note);
     void setMessage(const QString& message); // empty: nothing is wrong
@@ -41,6 +46,7 @@ public:
 signals:
     void edited(double value);
     void becameUnreadable();
+    void unitChosen(int index);
 
 private:
     void restyle();
