@@ -15,8 +15,8 @@ constexpr Room rooms[] = {
     {"core/math", 0},     {"core/collision", 1}, {"core/motion", 1},  {"core/scene", 2},
     {"core/timeline", 3}, {"core/engine", 4},    {"core/bowling", 5}, {"core/study", 6},
     {"core/format", 7},   {"ui/words", 8},       {"ui/plot", 9},      {"ui/lane", 11},
-    {"ui/steps", 11},     {"ui/panels", 11},     {"ui/lab", 12},      {"ui", 10},
-    {"app", 14},
+    {"ui/steps", 11},     {"ui/panels", 11},     {"ui/lab", 12},      {"ui/bench/rules", 9},
+    {"ui/bench", 12},     {"ui", 10},            {"app", 14},
 };
 constexpr int assemblyLevel = 13; // the main window, which puts the panels together
 
