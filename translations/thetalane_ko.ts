@@ -2585,6 +2585,26 @@ after %2 s: off by %3 m</source>
             <source>Shown are the first %1 of %2 bodies.</source>
             <translation>물체 %2개 중 처음 %1개만 표시합니다.</translation>
         </message>
+        <message>
+            <source>Add a body</source>
+            <translation>물체 추가</translation>
+        </message>
+        <message>
+            <source>One body more, at rest, where there is room</source>
+            <translation>빈 자리에 정지한 물체를 하나 더 놓습니다</translation>
+        </message>
+        <message>
+            <source>%1 bodies are the most that are edited by hand</source>
+            <translation>직접 편집할 수 있는 물체는 최대 %1개입니다</translation>
+        </message>
+        <message>
+            <source>There is no room for another body; move the walls or make the bodies smaller.</source>
+            <translation>물체를 더 놓을 자리가 없습니다. 벽을 옮기거나 물체를 작게 하십시오.</translation>
+        </message>
+        <message>
+            <source>There is no room for all bodies on one line; move the walls or make the bodies smaller.</source>
+            <translation>모든 물체를 한 직선 위에 놓을 자리가 없습니다. 벽을 옮기거나 물체를 작게 하십시오.</translation>
+        </message>
     </context>
     <context>
         <name>thetalane::BodyGroup</name>
@@ -2675,6 +2695,42 @@ after %2 s: off by %3 m</source>
         <message>
             <source>β = I/(m R²), greater than 0, at most 1; 0.4 for a uniform sphere</source>
             <translation>β = I/(m R²). 0보다 크고 1 이하여야 하며, 균일한 구는 0.4입니다.</translation>
+        </message>
+        <message>
+            <source>Velocity</source>
+            <translation>속도</translation>
+        </message>
+        <message>
+            <source>Velocity along x; negative: to the left</source>
+            <translation>x 방향 속도. 음수이면 왼쪽으로 움직입니다</translation>
+        </message>
+        <message>
+            <source>Name of this body; each has its own</source>
+            <translation>이 물체의 이름. 서로 달라야 합니다</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Ball</source>
+            <translation>공</translation>
+        </message>
+        <message>
+            <source>Pin</source>
+            <translation>핀</translation>
+        </message>
+        <message>
+            <source>Ball or pin: they look different; on a floor with friction balls roll</source>
+            <translation>공 또는 핀. 모양이 다르며, 마찰이 있는 바닥에서 공은 구릅니다</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>종류</translation>
+        </message>
+        <message>
+            <source>Remove %1</source>
+            <translation>%1 삭제</translation>
         </message>
     </context>
     <context>
@@ -5000,6 +5056,370 @@ pin</source>
         <message>
             <source>Slow motion at impact: %1 while the ball meets the pins</source>
             <translation>충돌 순간 슬로 모션: 볼링공이 핀과 부딪치는 동안 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Deed</name>
+        <message>
+            <source>move %1</source>
+            <translation>%1 이동</translation>
+        </message>
+        <message>
+            <source>velocity of %1</source>
+            <translation>%1의 속도 변경</translation>
+        </message>
+        <message>
+            <source>mass of %1</source>
+            <translation>%1의 질량 변경</translation>
+        </message>
+        <message>
+            <source>radius of %1</source>
+            <translation>%1의 반지름 변경</translation>
+        </message>
+        <message>
+            <source>kind of %1</source>
+            <translation>%1의 종류 변경</translation>
+        </message>
+        <message>
+            <source>name of %1</source>
+            <translation>%1의 이름 변경</translation>
+        </message>
+        <message>
+            <source>spin of %1</source>
+            <translation>%1의 회전 변경</translation>
+        </message>
+        <message>
+            <source>moment of inertia of %1</source>
+            <translation>%1의 관성 모멘트 변경</translation>
+        </message>
+        <message>
+            <source>add %1</source>
+            <translation>%1 추가</translation>
+        </message>
+        <message>
+            <source>remove %1</source>
+            <translation>%1 삭제</translation>
+        </message>
+        <message>
+            <source>mass of the ball</source>
+            <translation>공의 질량 변경</translation>
+        </message>
+        <message>
+            <source>speed of the throw</source>
+            <translation>투구 속력 변경</translation>
+        </message>
+        <message>
+            <source>direction of the throw</source>
+            <translation>투구 방향 변경</translation>
+        </message>
+        <message>
+            <source>position of the ball</source>
+            <translation>공의 위치 변경</translation>
+        </message>
+        <message>
+            <source>spin of the ball</source>
+            <translation>공의 회전 변경</translation>
+        </message>
+        <message>
+            <source>change the throw</source>
+            <translation>투구 변경</translation>
+        </message>
+        <message>
+            <source>pins that stand</source>
+            <translation>서 있는 핀 변경</translation>
+        </message>
+        <message>
+            <source>friction of the lane</source>
+            <translation>레인 마찰 변경</translation>
+        </message>
+        <message>
+            <source>arrange the bodies</source>
+            <translation>물체 배치</translation>
+        </message>
+        <message>
+            <source>coefficient of restitution</source>
+            <translation>반발 계수 변경</translation>
+        </message>
+        <message>
+            <source>walls</source>
+            <translation>벽 변경</translation>
+        </message>
+        <message>
+            <source>coefficient of restitution of the walls</source>
+            <translation>벽의 반발 계수 변경</translation>
+        </message>
+        <message>
+            <source>title of the scene</source>
+            <translation>장면 제목 변경</translation>
+        </message>
+        <message>
+            <source>reset the scene</source>
+            <translation>장면을 처음으로 되돌리기</translation>
+        </message>
+        <message>
+            <source>open another scene</source>
+            <translation>다른 장면 열기</translation>
+        </message>
+        <message>
+            <source>edit the scene</source>
+            <translation>장면 편집</translation>
+        </message>
+    </context>
+    <context>
+        <name>SceneStore</name>
+        <message>
+            <source>%1 could not be saved: %2. What was saved before is still there.</source>
+            <translation>%1: 저장하지 못했습니다(%2). 이전에 저장한 내용은 그대로 있습니다.</translation>
+        </message>
+        <message>
+            <source>%1: is too large for a scene file</source>
+            <translation>%1: 장면 파일로는 너무 큽니다</translation>
+        </message>
+        <message>
+            <source>Unsaved edits cannot be kept safe: %1</source>
+            <translation>저장하지 않은 편집 내용을 보관할 수 없습니다: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::EditOptionsRow</name>
+        <message>
+            <source>Constant size</source>
+            <translation>크기 고정</translation>
+        </message>
+        <message>
+            <source>On: a new mass leaves the radius as it is. Off: the radius follows the mass at the same density, by its cube root.</source>
+            <translation>켜면 질량을 바꾸어도 반지름이 그대로입니다. 끄면 밀도가 일정하도록 반지름이 질량의 세제곱근에 비례하여 바뀝니다.</translation>
+        </message>
+        <message>
+            <source>One line (1-D)</source>
+            <translation>한 직선 (1차원)</translation>
+        </message>
+        <message>
+            <source>All bodies on one line along x, with velocities along it only</source>
+            <translation>모든 물체를 x축과 나란한 한 직선 위에 놓고, 속도도 그 방향으로만 줍니다</translation>
+        </message>
+        <message>
+            <source>Snap to grid</source>
+            <translation>격자에 맞춤</translation>
+        </message>
+        <message>
+            <source>Bodies are put down on the grid, arrows on tenths of a m/s; Ctrl turns it round while dragging</source>
+            <translation>물체는 격자에, 화살표는 0.1 m/s 단위에 맞춥니다. 끄는 동안 Ctrl을 누르면 반대가 됩니다</translation>
+        </message>
+        <message>
+            <source>Spacing of the grid</source>
+            <translation>격자 간격</translation>
+        </message>
+        <message>
+            <source>By zoom</source>
+            <translation>배율에 따라</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::EditTool</name>
+        <message>
+            <source>Drag: set the velocity of %1</source>
+            <translation>끌기: %1의 속도를 정합니다</translation>
+        </message>
+        <message>
+            <source>Keys: N selects a body, Alt and the arrow keys change its velocity</source>
+            <translation>키: N으로 물체를 고르고, Alt와 방향키로 속도를 바꿉니다</translation>
+        </message>
+        <message>
+            <source>Drag: move it</source>
+            <translation>끌기: 옮깁니다</translation>
+        </message>
+        <message>
+            <source>Keys: N selects a body, the arrow keys move it, Delete removes it</source>
+            <translation>키: N으로 물체를 고르고, 방향키로 옮기고, Delete로 삭제합니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::FileBar</name>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>New, open, save</source>
+            <translation>새로 만들기, 열기, 저장</translation>
+        </message>
+        <message>
+            <source>New</source>
+            <translation>새로 만들기</translation>
+        </message>
+        <message>
+            <source>Open…</source>
+            <translation>열기…</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>다른 이름으로 저장…</translation>
+        </message>
+        <message>
+            <source>Recent files</source>
+            <translation>최근 파일</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>실행 취소</translation>
+        </message>
+        <message>
+            <source>Undo: %1</source>
+            <translation>실행 취소: %1</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>다시 실행</translation>
+        </message>
+        <message>
+            <source>Redo: %1</source>
+            <translation>다시 실행: %1</translation>
+        </message>
+        <message>
+            <source>%1 (not found)</source>
+            <translation>%1 (찾을 수 없음)</translation>
+        </message>
+        <message>
+            <source>None yet</source>
+            <translation>아직 없음</translation>
+        </message>
+        <message>
+            <source>Forget these files</source>
+            <translation>최근 파일 목록 지우기</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::FileFlow</name>
+        <message>
+            <source>Unsaved changes</source>
+            <translation>저장하지 않은 변경</translation>
+        </message>
+        <message>
+            <source>The scene has changes that are not saved.</source>
+            <translation>장면에 저장하지 않은 변경이 있습니다.</translation>
+        </message>
+        <message>
+            <source>“%1” has changes that are not saved.</source>
+            <translation>“%1”에 저장하지 않은 변경이 있습니다.</translation>
+        </message>
+        <message>
+            <source>Without saving, the changes are lost.</source>
+            <translation>저장하지 않으면 변경한 내용이 사라집니다.</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>다른 이름으로 저장…</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Do not save</source>
+            <translation>저장 안 함</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Save the scene</source>
+            <translation>장면 저장</translation>
+        </message>
+        <message>
+            <source>Scene files (*.json)</source>
+            <translation>장면 파일 (*.json)</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>모든 파일 (*)</translation>
+        </message>
+        <message>
+            <source>scene</source>
+            <translation>장면</translation>
+        </message>
+        <message>
+            <source>Open a scene file</source>
+            <translation>장면 파일 열기</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::RecoveryBar</name>
+        <message>
+            <source>Bring back</source>
+            <translation>되살리기</translation>
+        </message>
+        <message>
+            <source>Open the scene as it was last edited; it is not saved yet</source>
+            <translation>마지막으로 편집한 상태의 장면을 엽니다. 아직 저장되지 않은 상태입니다</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>버리기</translation>
+        </message>
+        <message>
+            <source>The edits are deleted</source>
+            <translation>편집한 내용을 지웁니다</translation>
+        </message>
+        <message>
+            <source>Not now: ask again at the next start</source>
+            <translation>나중에: 다음에 시작할 때 다시 묻습니다</translation>
+        </message>
+        <message>
+            <source>a scene without a name</source>
+            <translation>이름 없는 장면</translation>
+        </message>
+        <message>
+            <source>The program ended before “%1” was saved (edited %2).</source>
+            <translation>“%1”을(를) 저장하기 전에 프로그램이 끝났습니다 (편집한 때: %2).</translation>
+        </message>
+        <message>
+            <source>There are %1 such scenes.</source>
+            <translation>이런 장면이 %1개 있습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::WallGroup</name>
+        <message>
+            <source>Walls</source>
+            <translation>벽</translation>
+        </message>
+        <message>
+            <source>Left, x</source>
+            <translation>왼쪽, x</translation>
+        </message>
+        <message>
+            <source>Right, x</source>
+            <translation>오른쪽, x</translation>
+        </message>
+        <message>
+            <source>Bottom, y</source>
+            <translation>아래쪽, y</translation>
+        </message>
+        <message>
+            <source>Top, y</source>
+            <translation>위쪽, y</translation>
+        </message>
+        <message>
+            <source>Whether there is a wall here; without one this side is open</source>
+            <translation>이쪽에 벽을 둘지 정합니다. 벽이 없으면 열려 있습니다</translation>
+        </message>
+        <message>
+            <source>Where the wall stands</source>
+            <translation>벽의 위치</translation>
+        </message>
+        <message>
+            <source>Coefficient of restitution e of the walls</source>
+            <translation>벽의 반발 계수 e</translation>
+        </message>
+        <message>
+            <source>0: perfectly inelastic, 1: elastic. Between bodies and walls.</source>
+            <translation>0: 완전 비탄성, 1: 탄성. 물체와 벽 사이에 적용됩니다.</translation>
         </message>
     </context>
 </TS>

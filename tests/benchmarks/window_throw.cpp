@@ -5,7 +5,7 @@
 #include "ui/aim/aim_tool.h"
 #include "ui/lane/lane_panel.h"
 #include "ui/lane/lane_view.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -103,11 +103,16 @@ void SceneChooser::fillMenu() {
         QAction* action = m_menu->addAction(sceneTitle(scene, languageOfNow()));
         action->setObjectName(QStringLiteral("scene-") + id);
         action->setData(id);
-        connect(action, &QAction::triggered, this, [this, id] { session().openBuiltin(id); });
+        connect(action, &QAction::triggered, this, [this, id] { choose(id); });
     }
     m_menu->addSeparator();
     QAction* file = m_menu->addAction(tr("Open a file…"), this, &SceneChooser::openFileRequested);
     file->setObjectName(QStringLiteral("openFileAction"));
+}
+
+void SceneChooser::choose(const QString& id) {
+    const auto open = [this, id] { session().openBuiltin(id); };
+    m_guard ? m_guard(open) : open();
 }
 
 void SceneChooser::showCurrent() {

@@ -3,6 +3,8 @@
 
 #include "ui/panels/panel.h"
 
+#include <functional>
+
 class QMenu;
 class QPushButton;
 
@@ -12,6 +14,9 @@ class SceneChooser : public Panel {
     Q_OBJECT
 public:
     explicit SceneChooser(const Context& context, QWidget* parent = nullptr);
+
+    // Asked before another scene is opened: does what it is given when nothing would be lost by it.
+    void setGuard(std::function<void(std::function<void()>)> guard) { m_guard = std::move(guard); }
 
     void retranslate() override;
     QSize sizeHint() const override;
@@ -30,7 +35,9 @@ private:
     void fillMenu();
     void addHeading(Kind kind);
     void showCurrent();
+    void choose(const QString& id);
 
+    std::function<void(std::function<void()>)> m_guard;
     QPushButton* m_button;
     QMenu* m_menu;
 };
