@@ -560,6 +560,105 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>LessonText</name>
+    <message>
+        <source>&quot;%1&quot; is not known; did you mean &quot;%2&quot;?</source>
+        <translation>&quot;%1&quot;은(는) 알 수 없는 값입니다. &quot;%2&quot;을(를) 뜻했습니까?</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit here; must be one of %2</source>
+        <translation>&quot;%1&quot;은(는) 여기에 쓸 수 없습니다. 다음 가운데 하나여야 합니다: %2</translation>
+    </message>
+    <message>
+        <source>needs either &quot;at&quot; (&quot;start&quot;, or seconds) or &quot;collision&quot; (a number from 1)</source>
+        <translation>&quot;at&quot;(&quot;start&quot; 또는 초)이나 &quot;collision&quot;(1부터 세는 번호) 가운데 하나만 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>there is no collision %1; the last one is %2</source>
+        <translation>%1번 충돌이 없습니다. 마지막 충돌은 %2번입니다</translation>
+    </message>
+    <message>
+        <source>there is no collision %1; nothing collides in this scene</source>
+        <translation>%1번 충돌이 없습니다. 이 장면에서는 충돌이 일어나지 않습니다</translation>
+    </message>
+    <message>
+        <source>must be at most %1 s, where the run ends, is %2</source>
+        <translation>계산이 끝나는 %1 s 이하여야 하는데 %2입니다</translation>
+    </message>
+    <message>
+        <source>has no answer here; add &quot;after&quot;: the number of a collision after which the body moves</source>
+        <translation>여기서는 답이 정해지지 않습니다. 물체가 움직이고 있는 충돌의 번호를 &quot;after&quot;에 적으십시오</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;, is &quot;%2&quot;</source>
+        <translation>&quot;%1&quot;이어야 하는데 &quot;%2&quot;입니다</translation>
+    </message>
+    <message>
+        <source>must be 1, is %1</source>
+        <translation>1이어야 하는데 %1입니다</translation>
+    </message>
+    <message>
+        <source>there is no body &quot;%1&quot;; there are %2</source>
+        <translation>&quot;%1&quot;이라는 물체가 없습니다. 있는 물체는 %2입니다</translation>
+    </message>
+    <message>
+        <source>must be a whole number, is %1</source>
+        <translation>정수여야 하는데 %1입니다</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, is %3</source>
+        <translation>%1 이상 %2 이하여야 하는데 %3입니다</translation>
+    </message>
+    <message>
+        <source>must have a text in &quot;en&quot; or &quot;ko&quot;</source>
+        <translation>&quot;en&quot;이나 &quot;ko&quot;에 글이 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>must hold at least one stop</source>
+        <translation>멈출 곳이 적어도 하나 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>must hold at least two options, holds %1</source>
+        <translation>보기가 적어도 두 개 있어야 하는데 %1개입니다</translation>
+    </message>
+    <message>
+        <source>Speed of %1</source>
+        <translation>%1의 속력</translation>
+    </message>
+    <message>
+        <source>Direction of %1</source>
+        <translation>%1의 방향</translation>
+    </message>
+    <message>
+        <source>Angle between %1 and %2</source>
+        <translation>%1, %2 사이의 각</translation>
+    </message>
+    <message>
+        <source>Angle θ</source>
+        <translation>각 θ</translation>
+    </message>
+    <message>
+        <source>Energy lost</source>
+        <translation>에너지 손실</translation>
+    </message>
+    <message>
+        <source>Total momentum</source>
+        <translation>운동량의 합</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>충돌 횟수</translation>
+    </message>
+    <message>
+        <source>Pins down</source>
+        <translation>쓰러진 핀의 수</translation>
+    </message>
+    <message>
+        <source>Velocity of %1</source>
+        <translation>%1의 속도</translation>
+    </message>
+</context>
+<context>
     <name>MainText</name>
     <message>
         <source>%1: there is no such command;</source>
@@ -1030,6 +1129,89 @@ after %2 s: off by %3 m</source>
     <message>
         <source>opens the accuracy lab on its question 1 to 6, measured here and now</source>
         <translation>정확도 실험실을 열어 질문 1–6 가운데 하나를 그 자리에서 측정합니다</translation>
+    </message>
+</context>
+<context>
+    <name>PredictWords</name>
+    <message>
+        <source>Kinetic energy came from nothing: %1 J before, %2 J in your prediction, as if e were above 1.</source>
+        <translation>없던 운동 에너지가 생겼습니다. 충돌 전에는 %1 J인데, 예측에서는 %2 J입니다. e가 1보다 큰 셈입니다.</translation>
+    </message>
+    <message>
+        <source>They part with e = %1; here e = %2.</source>
+        <translation>예측대로라면 e = %1인데, 여기서는 e = %2입니다.</translation>
+    </message>
+    <message>
+        <source>The total momentum is what it was before: %1 kg·m/s in all.</source>
+        <translation>운동량의 합은 충돌 전과 같으며, 그 크기는 %1 kg·m/s입니다.</translation>
+    </message>
+    <message>
+        <source>The energy lost is %1 J, not %2 J.</source>
+        <translation>에너지 손실은 %2 J이 아니라 %1 J입니다.</translation>
+    </message>
+    <message>
+        <source>A collision never gains kinetic energy: what is lost is 0 J or more.</source>
+        <translation>충돌로 운동 에너지가 늘어나는 일은 없습니다. 에너지 손실은 0 J 이상입니다.</translation>
+    </message>
+    <message>
+        <source>You let them go on as if they had not met.</source>
+        <translation>서로 부딪치지 않은 것처럼 그대로 지나가게 했습니다.</translation>
+    </message>
+    <message>
+        <source>You left %1 as it was; but action and reaction change both.</source>
+        <translation>%1의 속도를 그대로 두었습니다. 작용 반작용으로 두 물체의 속도가 모두 변합니다.</translation>
+    </message>
+    <message>
+        <source>They would go through each other: along x′ they still approach.</source>
+        <translation>서로 뚫고 지나가게 됩니다. x′축 방향으로 여전히 다가가고 있습니다.</translation>
+    </message>
+    <message>
+        <source>Right arrows, but swapped: each body has the one of the other.</source>
+        <translation>화살표는 맞지만 서로 바뀌었습니다. 두 물체의 속도를 맞바꾸어 보십시오.</translation>
+    </message>
+    <message>
+        <source>You exchanged the whole velocities; only their x′ components are exchanged.</source>
+        <translation>속도 전체를 맞바꾸었습니다. 맞바뀌는 것은 x′ 성분뿐입니다.</translation>
+    </message>
+    <message>
+        <source>Right for equal masses; but these masses differ.</source>
+        <translation>질량이 같을 때의 답입니다. 그러나 두 물체의 질량은 다릅니다.</translation>
+    </message>
+    <message>
+        <source>You changed the y′ component of %1, but no force acts along y′.</source>
+        <translation>%1의 y′ 성분을 바꾸었지만, y′축 방향으로는 힘이 작용하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 goes just the other way.</source>
+        <translation>%1의 방향이 정반대입니다.</translation>
+    </message>
+    <message>
+        <source>Every arrow and every number counts alike: all of its points within %1 %, none beyond %2 %, evenly in between.</source>
+        <translation>화살표와 수의 배점은 모두 같습니다. 오차가 %1 % 이내이면 만점, %2 % 이상이면 0점이고, 그 사이에서는 고르게 줄어듭니다.</translation>
+    </message>
+    <message>
+        <source>All right!</source>
+        <translation>모두 맞았습니다!</translation>
+    </message>
+    <message>
+        <source>Nearly right.</source>
+        <translation>거의 맞았습니다.</translation>
+    </message>
+    <message>
+        <source>Partly right.</source>
+        <translation>일부가 맞았습니다.</translation>
+    </message>
+    <message>
+        <source>It comes out differently.</source>
+        <translation>결과가 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Momentum is not kept: yours points in another direction than before.</source>
+        <translation>운동량이 보존되지 않습니다. 예측한 운동량의 방향이 충돌 전과 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Momentum is not kept: %1 kg·m/s before, but %2 kg·m/s in your prediction.</source>
+        <translation>운동량이 보존되지 않습니다. 충돌 전에는 %1 kg·m/s인데, 예측한 값은 %2 kg·m/s입니다.</translation>
     </message>
 </context>
 <context>
@@ -2651,6 +2833,77 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>thetalane::GuessFields</name>
+    <message>
+        <source>after the collision, as you expect it</source>
+        <translation>예측하는 충돌 후의 값</translation>
+    </message>
+    <message>
+        <source>Speed of %1</source>
+        <translation>%1의 속력</translation>
+    </message>
+    <message>
+        <source>Direction of %1</source>
+        <translation>%1의 방향</translation>
+    </message>
+    <message>
+        <source>from the x axis, counterclockwise, as you expect it</source>
+        <translation>예측하는 방향, x축에서 시계 반대 방향으로 잰 각</translation>
+    </message>
+    <message>
+        <source>As components vx, vy</source>
+        <translation>성분 vx, vy로 입력</translation>
+    </message>
+    <message>
+        <source>As speed and direction</source>
+        <translation>속력과 방향으로 입력</translation>
+    </message>
+    <message>
+        <source>How the velocities are typed</source>
+        <translation>속도를 입력하는 방법</translation>
+    </message>
+    <message>
+        <source>Predict the momentum of both together after the collision</source>
+        <translation>충돌 후 두 물체의 운동량의 합도 예측합니다</translation>
+    </message>
+    <message>
+        <source>Energy lost too</source>
+        <translation>에너지 손실도 예측</translation>
+    </message>
+    <message>
+        <source>Predict how much kinetic energy the collision takes</source>
+        <translation>충돌로 줄어드는 운동 에너지도 예측합니다</translation>
+    </message>
+    <message>
+        <source>Total momentum, x</source>
+        <translation>운동량의 합, x</translation>
+    </message>
+    <message>
+        <source>Of both together, after the collision</source>
+        <translation>충돌 후 두 물체의 합</translation>
+    </message>
+    <message>
+        <source>Total momentum, y</source>
+        <translation>운동량의 합, y</translation>
+    </message>
+    <message>
+        <source>Energy lost</source>
+        <translation>에너지 손실</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>Total momentum too: x, y [kg·m/s]</source>
+        <translation>운동량의 합도 예측: x, y [kg·m/s]</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::InstantNote</name>
     <message numerus="yes">
         <source>Together with, among %n others:</source>
@@ -2879,6 +3132,85 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>thetalane::LessonPanel</name>
+    <message>
+        <source>Open a lesson file</source>
+        <translation>수업 파일 열기</translation>
+    </message>
+    <message>
+        <source>Lesson files (*.json)</source>
+        <translation>수업 파일 (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>이전</translation>
+    </message>
+    <message>
+        <source>The page before (Page Up)</source>
+        <translation>앞 쪽으로 (Page Up)</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>마침</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+    <message>
+        <source>Leaves the lesson; its scene stays, to go on with</source>
+        <translation>수업을 마칩니다. 장면은 그대로 남아 계속 살펴볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>The next page (Page Down)</source>
+        <translation>다음 쪽으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>수업</translation>
+    </message>
+    <message>
+        <source>Give the lesson: %1</source>
+        <translation>수업 시작: %1</translation>
+    </message>
+    <message>
+        <source>Open a lesson file…</source>
+        <translation>수업 파일 열기…</translation>
+    </message>
+    <message>
+        <source>A lesson that you wrote in a text editor</source>
+        <translation>문서 편집기로 직접 만든 수업을 엽니다</translation>
+    </message>
+    <message>
+        <source>The scene was changed: the words may no longer fit.</source>
+        <translation>장면이 바뀌어 설명과 맞지 않을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>되돌리기</translation>
+    </message>
+    <message>
+        <source>The scene of this page, as the lesson has it</source>
+        <translation>이 쪽의 장면을 수업에 있는 그대로 되돌립니다</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>정답 확인</translation>
+    </message>
+    <message>
+        <source>Shows what happens, and why (Page Down)</source>
+        <translation>무슨 일이 일어나는지, 왜 그런지 보여 줍니다 (Page Down)</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>수업 목록</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::MainWindow</name>
     <message>
         <source>Open a scene file</source>
@@ -2982,6 +3314,104 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
+    <name>thetalane::PredictFigure</name>
+    <message>
+        <source>Arrows after the collision, as you expect them</source>
+        <translation>예측하는 충돌 후의 속도 화살표</translation>
+    </message>
+    <message>
+        <source>Drag the round tips. With the keyboard: arrow keys move the tip, Shift for larger steps, Space changes to the other body.</source>
+        <translation>화살표 끝의 동그라미를 끌어 옮깁니다. 키보드에서는 방향 키로 옮기고, Shift를 함께 누르면 크게 움직이며, 스페이스 바로 다른 물체를 고릅니다.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>충돌 전</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>예측</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>실제</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::PredictPanel</name>
+    <message>
+        <source>What will the collision do? Set the arrows you expect, then reveal.</source>
+        <translation>충돌하면 어떻게 될까요? 예상하는 화살표를 그린 뒤 결과를 확인합니다.</translation>
+    </message>
+    <message>
+        <source>No collision is left to predict. Go back in time, or change a velocity or a position.</source>
+        <translation>예측할 충돌이 남아 있지 않습니다. 시간을 되돌리거나 속도 또는 위치를 바꾸어 보십시오.</translation>
+    </message>
+    <message>
+        <source>Predict this collision</source>
+        <translation>이 충돌 예측하기</translation>
+    </message>
+    <message>
+        <source>Predict the next collision</source>
+        <translation>다음 충돌 예측하기</translation>
+    </message>
+    <message>
+        <source>Holds just before the collision and asks what comes of it</source>
+        <translation>충돌 직전에 멈추고 결과를 예측합니다</translation>
+    </message>
+    <message>
+        <source>Hold before the collision</source>
+        <translation>충돌 직전으로 되돌리기</translation>
+    </message>
+    <message>
+        <source>The lane has gone past it and shows what happens</source>
+        <translation>화면이 충돌을 지나 결과가 보이고 있습니다</translation>
+    </message>
+    <message>
+        <source>Predict the collision after it</source>
+        <translation>그다음 충돌 예측하기</translation>
+    </message>
+    <message>
+        <source>Holds before the next one</source>
+        <translation>다음 충돌 직전에 멈춥니다</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>다시 예측하기</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>결과 확인</translation>
+    </message>
+    <message>
+        <source>Hides the truth and takes your arrows up again</source>
+        <translation>결과를 숨기고 예측을 고칩니다</translation>
+    </message>
+    <message>
+        <source>Shows what happens beside what you expect</source>
+        <translation>실제 결과를 예측과 나란히 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Collision %1: %2 → %3</source>
+        <translation>충돌 %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Predict, then reveal</source>
+        <translation>예측하고 확인하기</translation>
+    </message>
+    <message>
+        <source>%1 / 100 · %2</source>
+        <translation>%1 / 100점 · %2</translation>
+    </message>
+    <message>
+        <source>Energy lost</source>
+        <translation>에너지 손실</translation>
+    </message>
+    <message>
+        <source>Expected → truth</source>
+        <translation>예측 → 실제</translation>
+    </message>
+</context>
+<context>
     <name>thetalane::PresetRow</name>
     <message>
         <source>The scene in the window</source>
@@ -2990,6 +3420,52 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Methods of your choice on the scene in the window</source>
         <translation>고른 방법으로 창에 있는 장면을 계산합니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::ProgressDots</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>%2쪽 가운데 %1쪽</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2; click a dot to go there</source>
+        <translation>%2쪽 가운데 %1쪽. 점을 누르면 그 쪽으로 갑니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::QuestionView</name>
+    <message>
+        <source>Ask again</source>
+        <translation>다시 묻기</translation>
+    </message>
+    <message>
+        <source>Hides the answer, for the next who predicts</source>
+        <translation>정답을 숨기고 다시 예측하게 합니다</translation>
+    </message>
+    <message>
+        <source>Type what you expect, then reveal.</source>
+        <translation>예상하는 값을 입력한 뒤 정답을 확인합니다.</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ 맞았습니다: %1</translation>
+    </message>
+    <message>
+        <source>✗ It is %1, not %2.</source>
+        <translation>✗ %2이(가) 아니라 %1입니다.</translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation>정답은 %1입니다.</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>고르기: %1</translation>
+    </message>
+    <message>
+        <source>What you expect; Return reveals the truth</source>
+        <translation>예상하는 값. Enter 키를 누르면 정답을 확인합니다</translation>
     </message>
 </context>
 <context>
