@@ -31,7 +31,8 @@ bool writeAll(QIODevice& device, const QByteArray& bytes) {
 int saveFile(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
     file.setDirectWriteFallback(true); // a device, or a directory that takes no new names
-    if (!file.open(QIODevice::WriteOnly) || !writeAll(file, bytes) || !file.commit())
+    if (!file.open(QIODevice::WriteOnly) || !writeAll(file, bytes) || !file.flush() ||
+        !file.commit()) // commit() alone may rename a file whose last bytes found no room
         return unwritten(file);
     return Done;
 }

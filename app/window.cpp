@@ -108,7 +108,7 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
     app.language.use(request.window.language.value_or(Language::ofSystem()));
     app.open(request.window);
     MainWindow window(app.context(), app.language);
-    window.setReducedMotion(true);
+    app.appearance.setReducedMotion(true);
     app.appearance.setProjector(request.window.projector);
     app.appearance.setDark(request.window.dark);
     window.resize(windowSize(request.size, window.minimumSize()));

@@ -46,7 +46,6 @@ struct LessonSetting {
 };
 
 enum class StopAt { Start, Time, Collision };
-
 struct LessonStop {
     StopAt at = StopAt::Start;
     double time = 0;            // [s]
@@ -58,7 +57,6 @@ struct LessonStop {
 };
 
 enum class QuestionKind { Choice, Number, Vector };
-
 struct LessonQuestion {
     QuestionKind kind = QuestionKind::Choice;
     Title text, answer;
@@ -98,11 +96,8 @@ enum class LessonFault {
 struct LessonError {
     LessonFault fault{};
     std::string path; // as in the file: stops[2].collision; of a Shape that is no JSON, line and column
-    double value = 0;
-    double low = 0;
-    double high = 0;
-    std::string text{};
-    std::string other{};
+    double value = 0, low = 0, high = 0;
+    std::string text{}, other{};
     std::vector<std::string> allowed{};
     SceneError scene{};
     Refusal refusal{};

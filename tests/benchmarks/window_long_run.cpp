@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
 
     Program p;
     p.language.use(Language::Code::English);
-    p.window.setReducedMotion(true);
+    p.appearance.setReducedMotion(true);
     p.window.show();
     QCoreApplication::processEvents();
     const Wait opened = waited([&] {

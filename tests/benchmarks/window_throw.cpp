@@ -27,7 +27,7 @@ struct Screen {
 
     Screen() {
         language.use(Language::Code::English);
-        window.setReducedMotion(true);
+        appearance.setReducedMotion(true);
         window.resize(1920, 1080);
         window.show();
         QCoreApplication::processEvents();

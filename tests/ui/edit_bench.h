@@ -27,7 +27,7 @@ struct EditBench : PanelBench {
 
     explicit EditBench(const Scene& scene = *builtinScene()) {
         session.open(scene);
-        lane.setReducedMotion(true);
+        appearance.setReducedMotion(true);
         lane.view().addTool(tool);
         showPanel(lane, {900, 600});
         showPanel(panel, {344, 700});

@@ -33,7 +33,7 @@ struct Alley : PanelBench {
     AimTool aim{context};
 
     explicit Alley(QSize size = {900, 600}) {
-        panel.setReducedMotion(true);
+        appearance.setReducedMotion(true);
         panel.addTool(aim);
         session.openBuiltin("bowling");
         panel.resize(size);

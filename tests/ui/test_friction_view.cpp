@@ -114,7 +114,7 @@ private slots:
         PanelBench b;
         adoptRun(b.session, hookingBall());
         LanePanel lane(b.context);
-        lane.setReducedMotion(true);
+        b.appearance.setReducedMotion(true);
         showPanel(lane, {700, 560});
         const BodyItem& ball = *lane.scene().bodies()[0];
         QVERIFY(ball.turn() && !lane.scene().bodies()[1]->turn());
@@ -216,7 +216,7 @@ private slots:
         PanelBench b;
         adoptRun(b.session, hookingBall());
         LanePanel lane(b.context);
-        lane.setReducedMotion(true);
+        b.appearance.setReducedMotion(true);
         showPanel(lane, {700, 560});
         b.playhead.setTime(0.5);
         QVERIFY(lane.scene().lasting().marks().empty());

@@ -29,7 +29,7 @@ struct Room {
     LanePanel panel{Context{session, playhead, appearance}};
 
     explicit Room(const char* scene, QSize size = {900, 600}) {
-        panel.setReducedMotion(true);
+        appearance.setReducedMotion(true);
         session.openBuiltin(scene);
         panel.resize(size);
         panel.show();
@@ -216,7 +216,7 @@ private slots:
 
     void flightEndsWhereReducedMotionStands() {
         Room still("two-balls"), moving("two-balls");
-        moving.panel.setReducedMotion(false);
+        moving.appearance.setReducedMotion(false);
         still.playhead.select(0);
         moving.playhead.select(0);
         QVERIFY(moving.view().camera().scale < still.view().camera().scale);

@@ -250,7 +250,7 @@ private slots:
     void clicksReachBeyond() {
         LongRunBench b;
         LanePanel lane(b.context);
-        lane.setReducedMotion(true);
+        b.appearance.setReducedMotion(true);
         showPanel(lane, {600, 600});
         const auto inChapter = b.session.timeline().collisions();
         const double border = b.session.part().to;

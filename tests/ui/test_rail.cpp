@@ -34,7 +34,7 @@ struct Program {
     explicit Program(Language::Code code = Language::Code::English) {
         language.use(code);
         window = std::make_unique<MainWindow>(Context{session, playhead, appearance}, language);
-        window->setReducedMotion(true);
+        appearance.setReducedMotion(true);
         window->show();
         QVERIFY(QTest::qWaitForWindowExposed(window.get()));
     }

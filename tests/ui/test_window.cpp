@@ -33,7 +33,7 @@ struct Program {
 
     explicit Program(Language::Code code, QSize size = {1280, 800})
         : window(Context{session, playhead, appearance}, useFirst(language, code)) {
-        window.setReducedMotion(true);
+        appearance.setReducedMotion(true);
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));

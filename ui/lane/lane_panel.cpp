@@ -71,9 +71,6 @@ void LanePanel::restoreChoices() {
     m_view->setFollowing(QSettings().value(followKey, false).toBool());
 }
 
-void LanePanel::setReducedMotion(bool reduced) {
-    m_view->setReducedMotion(reduced);
-}
 void LanePanel::fit() {
     m_view->fit();
 }

@@ -21,9 +21,6 @@ class LanePanel : public QWidget {
 public:
     explicit LanePanel(const Context& context, QWidget* parent = nullptr);
 
-    // Nothing flies or turns: what is asked for stands there at once.
-    void setReducedMotion(bool reduced);
-
     LaneScene& scene() { return *m_scene; }
     LaneView& view() { return *m_view; }
     LaneStrip& strip() { return *m_strip; } // hidden unless the scene is a lane

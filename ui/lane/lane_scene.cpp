@@ -84,13 +84,24 @@ void LaneScene::rebuild() {
         addItem(m_bodies.back());
     }
     const double speed = fastest(m_run->timeline);
-    m_metresPerSpeed = speed > 0 ? 3 * largestRadius(scene) / speed : 0;
+    if (!m_scaleHeld || m_metresPerSpeed == 0)
+        m_metresPerSpeed = speed > 0 ? 3 * largestRadius(scene) / speed : 0;
     const double margin = 20 * std::max(m_whole.width(), m_whole.height());
     const QRectF world = m_whole.adjusted(-margin, -margin, margin, margin);
     setSceneRect(world);
     m_velocities->setUp(scene.bodies, m_inks, m_metresPerSpeed, 1e-3 * speed, world);
     showChapter();
     emit rebuilt();
+}
+
+void LaneScene::holdScale(bool held) {
+    m_scaleHeld = held;
+    if (!held)
+        rebuild();
+}
+
+void LaneScene::hideFuture(bool hidden) {
+    m_paths->setFutureHidden(hidden);
 }
 
 // The same bodies on the same floor to the same scale; only what happens is of another part of the run.

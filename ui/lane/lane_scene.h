@@ -42,6 +42,11 @@ public:
     // present chapter.
     std::optional<std::size_t> nextCollisionOf(int body) const;
 
+    // While a hand moves things the arrows keep their scale.
+    void holdScale(bool held);
+    // While someone predicts, the ways to come are not shown.
+    void hideFuture(bool hidden);
+
 signals:
     void rebuilt(); // another run
 
@@ -67,6 +72,7 @@ private:
     std::vector<std::optional<Fall>> m_falls; // of the pins
     std::optional<int> m_hovered;
     double m_metresPerSpeed = 0;
+    bool m_scaleHeld = false;
     std::vector<Ink> m_inks; // the bodies' while nothing is selected
     bool m_arrows = true;
     QRectF m_fit;

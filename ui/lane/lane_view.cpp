@@ -54,6 +54,10 @@ LaneView::LaneView(const Context& context, LaneScene& scene, QWidget* parent)
         resetCachedContent();
         placeCorners();
     });
+    connect(this, &LaneView::gripped, this, [this](bool on) {
+        if (!on && m_aim == Aim::Fit)
+            flyTo(fitCamera(), Aim::Fit);
+    });
     adoptRun();
     retranslate();
 }
@@ -73,15 +77,17 @@ void LaneView::adoptRun() {
     }
     const QRectF whole = m_scene.wholeRect();
     const auto alike = [](double now, double before) { return now > 0.5 * before && now < 2 * before; };
-    if (!alike(whole.width(), m_whole.width()) || !alike(whole.height(), m_whole.height()) ||
-        !whole.contains(m_camera.centre))
+    const bool other = !alike(whole.width(), m_whole.width()) ||
+                       !alike(whole.height(), m_whole.height()) || !whole.contains(m_camera.centre);
+    const bool held = m_hand.holds(); // nothing moves under the hand
+    if (other && !held)
         m_aim = Aim::Fit;
     m_whole = whole;
     if (m_aim == Aim::Follow && !hasLane())
         m_aim = Aim::Fit;
     if (m_aim == Aim::Fit && m_follow && hasLane())
         m_aim = Aim::Follow;
-    if (m_aim == Aim::Fit || m_aim == Aim::Follow)
+    if (!held && (m_aim == Aim::Fit || m_aim == Aim::Follow))
         setCamera(cameraOf(m_aim));
     m_overlay.reset();
     showSelection();
@@ -118,7 +124,7 @@ void LaneView::showStage() {
         viewport()->update();
         return;
     }
-    const bool turn = m_overlay && !m_reducedMotion;
+    const bool turn = m_overlay && !m_context.appearance.reducedMotion();
     if (turn)
         m_previous = *m_overlay;
     m_overlay = stepOverlay(m_scene.run().scene, *collision, m_context.playhead.stage());
@@ -145,7 +151,7 @@ void LaneView::flyTo(const Camera& target, Aim aim) {
     m_flight.stop();
     m_aim = aim;
     m_to = target;
-    if (m_reducedMotion || !isVisible()) {
+    if (m_context.appearance.reducedMotion() || !isVisible()) {
         setCamera(m_to);
         return;
     }

@@ -22,7 +22,6 @@ class LaneView : public QGraphicsView {
 public:
     LaneView(const Context& context, LaneScene& scene, QWidget* parent = nullptr);
 
-    void setReducedMotion(bool reduced) { m_reducedMotion = reduced; }
     const Camera& camera() const { return m_camera; }
     QRectF visibleRect() const; // [units]
     void lookAt(const QPointF& centre);
@@ -98,7 +97,6 @@ private:
     Context m_context;
     LaneScene& m_scene;
     Aim m_aim = Aim::Fit;
-    bool m_reducedMotion = false;
     QVariantAnimation m_flight;
     Camera m_camera, m_from, m_to;
     QRectF m_whole; // of the run before [units]

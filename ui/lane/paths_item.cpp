@@ -72,6 +72,11 @@ void PathsItem::setTime(double time, std::span<const BodyState> states) {
     update();
 }
 
+void PathsItem::setFutureHidden(bool hidden) {
+    m_futureHidden = hidden;
+    update();
+}
+
 void PathsItem::setReceding(bool receding) {
     m_receding = receding;
     update();
@@ -92,7 +97,8 @@ void PathsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
             QPen(faded(colour, m_appearance.projector() ? 0.5 : 0.75), width, Qt::SolidLine, Qt::FlatCap));
         collectWalked(path, toPixels);
         painter->drawLines(m_lines.data(), int(m_lines.size()));
-
+        if (m_futureHidden)
+            continue;
         painter->setRenderHint(QPainter::Antialiasing, false);
         painter->setPen(Qt::NoPen);
         painter->setBrush(faded(colour, 0.6));

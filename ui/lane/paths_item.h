@@ -22,6 +22,7 @@ public:
     void build(const Run& run, double until, std::vector<Ink> inks);
     void setTime(double time, std::span<const BodyState> states);
     void setReceding(bool receding);
+    void setFutureHidden(bool hidden);
 
     QRectF boundingRect() const override { return m_bounds; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -57,6 +58,7 @@ private:
     std::vector<QRect> m_dots;
     QRectF m_bounds;
     bool m_receding = false;
+    bool m_futureHidden = false;
     bool m_lane = false;
 };
 

@@ -71,7 +71,8 @@ CardButton::Places CardButton::placesFor(int width) const {
     const int words = heightOf(wordsFont(), room, m_words), second = heightOf(below, room, m_below);
     const int gap = second > 0 ? unit / 4 : 0;
     const int inside = std::max(side, words + gap + second);
-    p.height = std::max(inside + 2 * unit, m_appearance.projector() ? 44 : 32);
+    // An option is a line, a card stands for itself.
+    p.height = std::max(inside + (m_below.isEmpty() ? unit : 2 * unit), m_appearance.projector() ? 44 : 32);
     const int top = (p.height - words - gap - second) / 2;
     p.mark = QRect(unit, (p.height - side) / 2, side, side);
     p.words = QRect(left, top, room, words);

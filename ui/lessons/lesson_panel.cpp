@@ -118,8 +118,10 @@ QWidget* LessonPanel::makeLesson(const Context& context) {
     foot->addWidget(m_back);
     foot->addWidget(m_next, 1);
     m_lessonColumn = new QVBoxLayout(m_lesson);
-    m_lessonColumn->addWidget(m_leave, 0, Qt::AlignLeft);
-    m_lessonColumn->addWidget(m_title);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    head->addWidget(m_leave);
+    m_lessonColumn->addLayout(head);
     m_lessonColumn->addWidget(m_body, 1);
     m_lessonColumn->addWidget(m_changed);
     m_lessonColumn->addWidget(m_dots);
@@ -128,8 +130,9 @@ QWidget* LessonPanel::makeLesson(const Context& context) {
     connect(m_back, &QPushButton::clicked, m_player, &LessonPlayer::back);
     connect(m_next, &QPushButton::clicked, this, [this] {
         const bool isLast = m_player->page() + 1 == m_player->pageCount() && !m_player->travelling();
-        isLast ? m_player->leave() : m_player->next();
+        isLast && !asks() ? m_player->leave() : goOn();
     });
+    connect(m_question, &QuestionView::revealChanged, this, &LessonPanel::showPage);
     connect(m_putBack, &QPushButton::clicked, m_player, &LessonPlayer::putBack);
     connect(m_dots, &ProgressDots::chosen, m_player, &LessonPlayer::goTo);
     return m_lesson;
@@ -137,15 +140,23 @@ QWidget* LessonPanel::makeLesson(const Context& context) {
 
 // Of the window, while a lesson is given: the class looks at the lane, and so may the focus.
 void LessonPanel::makeShortcuts() {
-    const auto add = [this](int key, void (LessonPlayer::*turn)()) {
+    const auto add = [this](int key, auto&& turn) {
         auto* shortcut = new QShortcut(QKeySequence(key), this);
         shortcut->setEnabled(false);
-        connect(shortcut, &QShortcut::activated, m_player, turn);
+        connect(shortcut, &QShortcut::activated, this, turn);
         connect(this, &LessonPanel::running, shortcut, &QShortcut::setEnabled);
-        m_shortcuts.push_back(shortcut);
     };
-    add(Qt::Key_PageDown, &LessonPlayer::next);
-    add(Qt::Key_PageUp, &LessonPlayer::back);
+    add(Qt::Key_PageDown, [this] { goOn(); });
+    add(Qt::Key_PageUp, [this] { m_player->back(); });
+}
+
+bool LessonPanel::asks() const {
+    return m_player->isQuestion() && !m_question->isRevealed();
+}
+
+// A question is revealed before the next page tells.
+void LessonPanel::goOn() {
+    asks() ? m_question->reveal() : m_player->next();
 }
 
 bool LessonPanel::isShelf() const {
@@ -224,9 +235,12 @@ void LessonPanel::showPage() {
     m_back->setEnabled(m_player->page() > 0);
     const bool isLast = m_player->page() + 1 == m_player->pageCount();
     setWords(*m_back, tr("Back"), tr("The page before (Page Up)"));
-    setWords(*m_next, isLast ? tr("Finish") : tr("Next"),
-             isLast ? tr("Leaves the lesson; its scene stays, to go on with")
-                    : tr("The next page (Page Down)"));
+    if (asks())
+        setWords(*m_next, tr("Reveal"), tr("Shows what happens, and why (Page Down)"));
+    else if (isLast)
+        setWords(*m_next, tr("Finish"), tr("Leaves the lesson; its scene stays, to go on with"));
+    else
+        setWords(*m_next, tr("Next"), tr("The next page (Page Down)"));
 }
 
 void LessonPanel::keyPressEvent(QKeyEvent* event) {
@@ -245,7 +259,7 @@ void LessonPanel::retranslate() {
         m_cards[k]->setWords(title, inLanguageOfNow(lesson.summary), tr("Give the lesson: %1").arg(title));
     }
     setWords(*m_openFile, tr("Open a lesson file…"), tr("A lesson that you wrote in a text editor"));
-    setWords(*m_leave, tr("‹ All lessons"), tr("Leaves the lesson; its scene stays, to go on with"));
+    setWords(*m_leave, tr("All lessons"), tr("Leaves the lesson; its scene stays, to go on with"));
     m_changedNote->setText(keptWords(tr("The scene was changed: the words may no longer fit.")));
     setWords(*m_putBack, tr("Put back"), tr("The scene of this page, as the lesson has it"));
     showError();
@@ -262,6 +276,7 @@ void LessonPanel::restyle() {
     m_heading->setFont(look.font(Size::Title, true));
     m_lessonColumn->setContentsMargins(2 * unit, unit / 2, 2 * unit, unit);
     m_lessonColumn->setSpacing(unit / 2);
+    m_lesson->layout()->itemAt(0)->layout()->setSpacing(unit);
     m_leave->setFont(look.font(Size::Small));
     m_openFile->setFont(look.font(Size::Normal));
     m_title->setFont(look.font(Size::Normal, true));

@@ -10,7 +10,6 @@
 class QLabel;
 class QPushButton;
 class QScrollArea;
-class QShortcut;
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -52,6 +51,8 @@ private:
     QWidget* makeShelf();
     QWidget* makeLesson(const Context& context);
     void makeShortcuts();
+    bool asks() const; // a question that is not revealed
+    void goOn();
     void give(const Lesson& lesson);
     void showPage();
     void showShelf();
@@ -81,7 +82,6 @@ private:
     QPushButton* m_putBack = nullptr;
     QPushButton* m_back = nullptr;
     QPushButton* m_next = nullptr;
-    std::vector<QShortcut*> m_shortcuts;
 };
 
 } // namespace thetalane

@@ -4,6 +4,7 @@
 #include "ui/lessons/lesson_text.h"
 #include "ui/panels/number_field.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,8 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace thetalane {
 namespace {
@@ -36,7 +39,7 @@ QuestionView::QuestionView(const Context& context, std::function<std::optional<V
     : Panel(context, parent)
     , m_truthSource(std::move(truth))
     , m_scroll(new QScrollArea(this))
-    , m_button(new QPushButton)
+    , m_again(new QPushButton)
     , m_column(new QVBoxLayout) {
     setObjectName(QStringLiteral("lessonQuestion"));
     auto* inside = new QWidget;
@@ -45,23 +48,23 @@ QuestionView::QuestionView(const Context& context, std::function<std::optional<V
     m_hint = wrappingLabel("questionHint", inside);
     m_verdict = wrappingLabel("questionVerdict", inside);
     m_why = wrappingLabel("questionWhy", inside);
-    m_button->setObjectName(QStringLiteral("revealAnswer"));
-    m_button->setProperty("prominent", true);
+    m_again->setObjectName(QStringLiteral("askAgain"));
+    m_again->setProperty("quiet", true);
     m_column->addWidget(m_text);
     m_column->addWidget(m_hint);
-    m_column->addWidget(m_button);
     m_column->addWidget(m_verdict);
     m_column->addWidget(m_why);
+    m_column->addWidget(m_again, 0, Qt::AlignLeft);
     m_column->addStretch(1);
     m_scroll->setWidget(inside);
-    m_scroll->setWidgetResizable(true);
+    m_scroll->viewport()->installEventFilter(this); // it would be made as high as narrow text is
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_scroll);
-    connect(m_button, &QPushButton::clicked, this, [this] { m_revealed ? askAgain() : reveal(); });
+    connect(m_again, &QPushButton::clicked, this, &QuestionView::askAgain);
     restyle();
     retranslate();
 }
@@ -100,7 +103,10 @@ void QuestionView::build() {
             m_entered = true;
             showState();
         });
-        connect(number, &NumberField::becameUnreadable, this, &QuestionView::showState);
+        connect(number, &NumberField::becameUnreadable, this, [this] {
+            m_entered = true;
+            showState();
+        });
         // After the number was taken over, which Return does as well.
         connect(number->edit(), &QLineEdit::returnPressed, this, [this] {
             m_entered = true;
@@ -137,8 +143,7 @@ std::optional<Vec2d> QuestionView::typed() const {
 
 void QuestionView::reveal() {
     const auto answer = typed();
-    const bool readable = m_question.kind == QuestionKind::Choice || answer || !m_entered;
-    if (!readable)
+    if (m_revealed || (m_entered && !answer))
         return showState();
     m_truth = m_truthSource();
     m_isRight = m_question.kind == QuestionKind::Choice
@@ -146,8 +151,7 @@ void QuestionView::reveal() {
                     : answer && m_truth && thetalane::isRight(m_question, *m_truth, *answer);
     m_revealed = true;
     showState();
-    QTimer::singleShot(0, m_scroll, [this] { m_scroll->ensureWidgetVisible(m_why, 0, 0); });
-    emit revealed();
+    emit revealChanged();
 }
 
 void QuestionView::askAgain() {
@@ -158,6 +162,7 @@ void QuestionView::askAgain() {
     for (NumberField* f : m_fields)
         f->setValue(0);
     showState();
+    emit revealChanged();
 }
 
 void QuestionView::showState() {
@@ -169,6 +174,7 @@ void QuestionView::showState() {
         else if (m_revealed && isChosen)
             state = CardButton::State::Wrong;
         m_options[k]->setState(state);
+        m_options[k]->setVisible(!m_revealed || isChosen || k == m_question.right); // to the point
     }
     QString unreadable;
     for (NumberField* f : m_fields) {
@@ -177,15 +183,17 @@ void QuestionView::showState() {
         if (unreadable.isEmpty())
             unreadable = f->unreadable();
     }
-    m_button->setText(m_revealed ? tr("Ask again") : tr("Reveal"));
-    m_button->setToolTip(m_revealed ? tr("Hides the answer, for the next who predicts")
-                                    : tr("Shows what happens, and why"));
-    m_button->setAccessibleName(m_button->text());
+    m_again->setText(tr("Ask again"));
+    m_again->setToolTip(tr("Hides the answer, for the next who predicts"));
+    m_again->setAccessibleName(m_again->text());
+    m_again->setVisible(m_revealed);
+    // Options say for themselves that one is to be chosen.
+    const bool types = !m_revealed && !m_fields.empty();
     say(*m_hint, !unreadable.isEmpty() ? unreadable
-                 : m_revealed          ? QString()
-                 : m_fields.empty()    ? tr("Choose what you expect, then reveal.")
-                                       : tr("Type what you expect, then reveal."));
+                 : types               ? tr("Type what you expect, then reveal.")
+                                       : QString());
     showVerdict();
+    fit();
 }
 
 void QuestionView::showVerdict() {
@@ -197,11 +205,7 @@ void QuestionView::showVerdict() {
 
 QString QuestionView::verdictText() const {
     const bool isChoice = m_question.kind == QuestionKind::Choice;
-    if (isChoice && m_chosen < 0)
-        return {}; // the mark beside the right one says it
-    if (isChoice)
-        return m_isRight ? tr("✓ Right!") : tr("✗ Not so.");
-    if (!m_truth)
+    if (isChoice || !m_truth) // the marks beside the options say it
         return {};
     const QString truth = valueText(m_question.quantity.kind, *m_truth);
     if (m_isRight)
@@ -239,9 +243,8 @@ void QuestionView::restyle() {
     const int unit = look.unit();
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(unit);
-    m_text->setFont(look.font(Appearance::Size::Large, true));
     makeQuiet(*m_hint, look);
-    m_button->setFont(look.font(Appearance::Size::Normal, true));
+    m_again->setFont(look.font(Appearance::Size::Small));
     m_verdict->setFont(look.font(Appearance::Size::Large, true));
     m_why->setFont(look.font(Appearance::Size::Large));
     m_text->setStyleSheet(QStringLiteral("color: %1;").arg(look.text().name()));
@@ -251,6 +254,32 @@ void QuestionView::restyle() {
     if (m_answers)
         m_answers->layout()->setSpacing(unit / 2);
     showVerdict();
+    fit();
+}
+
+bool QuestionView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
+        fit();
+    return Panel::eventFilter(watched, event);
+}
+
+// The question in letters as large as its options leave room for; once answered, the answer comes first.
+void QuestionView::fit() {
+    using Size = Appearance::Size;
+    const int largest = appearance().pixels(m_revealed ? Size::Normal : Size::Large);
+    const QSize room = m_scroll->viewport()->size();
+    QFont font = appearance().font(Size::Large, true);
+    int height = 0;
+    for (int pixels = largest; pixels >= appearance().pixels(Size::Normal); pixels -= 2) {
+        font.setPixelSize(pixels);
+        m_text->setFont(font);
+        m_column->invalidate();
+        height = m_column->totalHeightForWidth(room.width());
+        if (height <= room.height())
+            break;
+    }
+    m_scroll->widget()->resize(room.width(), std::max(height, room.height()));
+    m_column->activate();
 }
 
 } // namespace thetalane

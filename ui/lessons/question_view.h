@@ -27,20 +27,22 @@ public:
     // scene: gives the bodies their names.
     void setQuestion(const LessonQuestion& question, const Scene& scene);
     bool isRevealed() const { return m_revealed; }
+    void reveal();        // not while what was typed is no number
     bool isWhole() const; // all of it is seen without scrolling
 
     void retranslate() override;
 
 signals:
-    void revealed();
+    void revealChanged();
 
 protected:
     void restyle() override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void build();
     void choose(int option);
-    void reveal();
+    void fit();
     void askAgain();
     void showState();
     void showVerdict();
@@ -57,7 +59,7 @@ private:
     QLabel* m_text;
     QLabel* m_hint;
     QWidget* m_answers = nullptr;
-    QPushButton* m_button;
+    QPushButton* m_again;
     QLabel* m_verdict;
     QLabel* m_why;
     QVBoxLayout* m_column;

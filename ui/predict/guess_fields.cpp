@@ -44,17 +44,19 @@ GuessFields::GuessFields(const Appearance& appearance, QWidget* parent)
     m_energy->setObjectName(QStringLiteral("guessEnergy"));
     m_grid->setContentsMargins(0, 0, 0, 0);
     for (int b = 0; b < 2; ++b) {
+        m_heads[std::size_t(b)] = new QLabel(this);
         m_names[std::size_t(b)] = new QLabel(this);
-        m_grid->addWidget(m_names[std::size_t(b)], b, 0);
-        m_grid->addWidget(&field(2 * b), b, 1);
-        m_grid->addWidget(&field(2 * b + 1), b, 2);
+        m_grid->addWidget(m_heads[std::size_t(b)], 0, 1 + b, Qt::AlignHCenter);
+        m_grid->addWidget(m_names[std::size_t(b)], 1 + b, 0);
+        m_grid->addWidget(&field(2 * b), 1 + b, 1);
+        m_grid->addWidget(&field(2 * b + 1), 1 + b, 2);
     }
-    m_grid->addWidget(m_mode, 2, 0, 1, 3, Qt::AlignRight);
-    m_grid->addWidget(m_momentum, 3, 0, 1, 3);
-    m_grid->addWidget(&field(MomentumX), 4, 1);
-    m_grid->addWidget(&field(MomentumY), 4, 2);
-    m_grid->addWidget(m_energy, 5, 0, 1, 2);
-    m_grid->addWidget(&field(Energy), 5, 2);
+    m_grid->addWidget(m_mode, 3, 0, 1, 3, Qt::AlignRight);
+    m_grid->addWidget(m_momentum, 4, 0, 1, 3);
+    m_grid->addWidget(&field(MomentumX), 5, 1);
+    m_grid->addWidget(&field(MomentumY), 5, 2);
+    m_grid->addWidget(m_energy, 6, 0, 1, 2);
+    m_grid->addWidget(&field(Energy), 6, 2);
     m_grid->setColumnStretch(1, 1);
     m_grid->setColumnStretch(2, 1);
     connect(m_mode, &QPushButton::clicked, this, [this] {
@@ -85,8 +87,6 @@ void GuessFields::makeFields() {
         });
         m_fields[std::size_t(f)] = number;
     }
-    field(MomentumX).setUnit(QStringLiteral("kg·m/s"));
-    field(MomentumY).setUnit(QStringLiteral("kg·m/s"));
     field(Energy).setUnit(QStringLiteral("J"));
 }
 
@@ -186,10 +186,12 @@ void GuessFields::retranslate() {
         field(2 * b).setUnit(QStringLiteral("m/s"));
         field(2 * b + 1).setUnit(m_polar ? QStringLiteral("°") : QStringLiteral("m/s"));
     }
+    m_heads[0]->setText(m_polar ? tr("Speed") : QStringLiteral("vx"));
+    m_heads[1]->setText(m_polar ? tr("Direction") : QStringLiteral("vy"));
     m_mode->setText(m_polar ? tr("As components vx, vy") : tr("As speed and direction"));
     m_mode->setToolTip(tr("How the velocities are typed"));
     m_mode->setAccessibleName(m_mode->text());
-    m_momentum->setText(tr("Total momentum too (x, y)"));
+    m_momentum->setText(tr("Total momentum too: x, y [kg·m/s]"));
     m_momentum->setToolTip(tr("Predict the momentum of both together after the collision"));
     m_energy->setText(tr("Energy lost too"));
     m_energy->setToolTip(tr("Predict how much kinetic energy the collision takes"));
@@ -207,6 +209,10 @@ void GuessFields::restyle() {
         m_names[std::size_t(b)]->setFont(m_appearance.font(Size::Normal, true));
         m_names[std::size_t(b)]->setStyleSheet(
             QStringLiteral("color: %1;").arg(m_appearance.textInk(b == 0 ? Ink::First : Ink::Second).name()));
+    }
+    for (QLabel* head : m_heads) {
+        head->setFont(m_appearance.font(Size::Small));
+        head->setStyleSheet(QStringLiteral("color: %1;").arg(m_appearance.quietText().name()));
     }
     m_mode->setFont(m_appearance.font(Size::Small));
     const int box = m_appearance.projector() ? 22 : 16;

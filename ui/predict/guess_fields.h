@@ -52,7 +52,8 @@ private:
     const Appearance& m_appearance;
     QGridLayout* m_grid;
     std::array<NumberField*, fieldCount> m_fields{};
-    std::array<QLabel*, 2> m_names{};
+    std::array<QLabel*, 2> m_names{}; // of the bodies
+    std::array<QLabel*, 2> m_heads{}; // of the columns
     QPushButton* m_mode;
     QCheckBox* m_momentum;
     QCheckBox* m_energy;

@@ -13,7 +13,7 @@
 namespace thetalane {
 namespace {
 
-constexpr double widest = 1.8; // speeds that find room, in those that come
+using Size = Appearance::Size;
 
 Vec2d rounded(const Vec2d& v, double step) {
     return {std::round(v.x / step) * step, std::round(v.y / step) * step};
@@ -78,11 +78,11 @@ void PredictFigure::changeEvent(QEvent* event) {
 }
 
 QSize PredictFigure::sizeHint() const {
-    return {320, m_appearance.projector() ? 300 : 240};
+    return {320, m_appearance.projector() ? 260 : 240};
 }
 
 QSize PredictFigure::minimumSizeHint() const {
-    return {240, m_appearance.projector() ? 220 : 180};
+    return {240, m_appearance.projector() ? 180 : 170};
 }
 
 // The bodies take a quarter of the figure, the arrows the rest.
@@ -90,11 +90,15 @@ double PredictFigure::pixelsPerMetre() const {
     const double size = std::min(width(), height());
     const double metres =
         m_known.isWall ? 4 * m_known.first.radius : 2 * (m_known.first.radius + m_known.second.radius);
-    return metres > 0 ? 0.34 * size / metres : 1;
+    return metres > 0 ? 0.36 * size / metres : 1;
 }
 
+// From the masses alone: as fast as the lighter one may get to be.
 double PredictFigure::pixelsPerSpeed() const {
-    return m_known.speed > 0 ? 0.42 * std::min(width(), height()) / (widest * m_known.speed) * 1.25 : 1;
+    const double masses = m_known.first.mass + m_known.second.mass;
+    const double gain = m_known.isWall ? 1 : 2 * std::max(m_known.first.mass, m_known.second.mass) / masses;
+    const double widest = m_known.speed * 1.2 * gain;
+    return widest > 0 ? 0.46 * std::min(width(), height()) / widest : 1;
 }
 
 // Seen from the point where they touch, which is in the middle.
@@ -216,11 +220,14 @@ void PredictFigure::paintBodies(QPainter& painter) const {
         painter.setBrush(fill);
         const double r = (b == 0 ? m_known.first.radius : m_known.second.radius) * scale;
         painter.drawEllipse(centre(b), r, r);
+        // Beside the line of centres, behind the way that the two pass each other.
+        const double passing = m_known.first.velocity.y * m_known.contact.cosTheta -
+                               m_known.first.velocity.x * m_known.contact.sinTheta;
+        const QPointF beside = across * ((passing >= 0 ? 1 : -1) * (r + 0.8 * look.pixels(Size::Normal)));
         painter.setPen(look.textInk(b == 0 ? Ink::First : Ink::Second));
-        painter.setFont(look.font(Appearance::Size::Normal, true));
-        const QString name = b == 0 ? m_known.firstName : m_known.secondName;
-        const QPointF out = (b == 0 ? along : -along) * (r * 0.62);
-        painter.drawText(QRectF(centre(b) + out - QPointF(60, 14), QSizeF(120, 28)), Qt::AlignCenter, name);
+        painter.setFont(look.font(Size::Normal, true));
+        painter.drawText(QRectF(centre(b) + beside - QPointF(60, 14), QSizeF(120, 28)), Qt::AlignCenter,
+                         b == 0 ? m_known.firstName : m_known.secondName);
     }
 }
 

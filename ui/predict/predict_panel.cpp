@@ -7,12 +7,14 @@
 #include "ui/predict/predict_words.h"
 #include "ui/words/number_text.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace thetalane {
 namespace {
@@ -84,12 +86,12 @@ QWidget* PredictPanel::makeWork(const Context& context) {
     m_fields = new GuessFields(context.appearance, inside);
     m_message = label("predictMessage", inside);
     m_rule = label("predictRule", inside);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_title, m_facts, m_score, m_wrong, m_figure, m_truth,
+    for (QWidget* w : std::initializer_list<QWidget*>{m_title, m_facts, m_score, m_figure, m_wrong, m_truth,
                                                       m_fields, m_message, m_rule})
         m_column->addWidget(w, w == m_figure ? 1 : 0);
     m_scroll = new QScrollArea;
     m_scroll->setWidget(inside);
-    m_scroll->setWidgetResizable(true);
+    m_scroll->viewport()->installEventFilter(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
@@ -198,6 +200,7 @@ void PredictPanel::setState(State state) {
     m_state = state;
     m_pages->setCurrentIndex(state == State::Invitation ? 0 : 1);
     m_fields->setEditable(state == State::Predicting);
+    m_fields->setVisible(state != State::Revealed); // the figure and the words have them then
     showWords();
     emit predicting(state == State::Predicting);
 }
@@ -254,31 +257,60 @@ void PredictPanel::showWords() {
     m_facts->setText(facts.join(QStringLiteral(" · ")));
     if (revealed)
         showVerdict();
+    fit();
+}
+
+bool PredictPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
+        fit();
+    return Panel::eventFilter(watched, event);
+}
+
+// The figure gets the room that the words and numbers leave.
+void PredictPanel::fit() {
+    const QSize room = m_scroll->viewport()->size();
+    const int least = m_figure->minimumSizeHint().height();
+    m_figure->setFixedHeight(least);
+    m_column->invalidate();
+    const int height = m_column->totalHeightForWidth(room.width());
+    const int spare = std::max(0, room.height() - height);
+    m_figure->setFixedHeight(std::min(least + spare, 2 * least));
+    m_scroll->widget()->resize(room.width(), height + spare);
 }
 
 void PredictPanel::showVerdict() {
-    m_score->setText(tr("%1 of 100 · %2").arg(m_verdict->score).arg(praise(*m_verdict)));
+    m_score->setText(tr("%1 / 100 · %2").arg(m_verdict->score).arg(praise(*m_verdict)));
     QStringList wrong;
     for (const Diagnosis& d : m_verdict->wrong)
         wrong << QStringLiteral("• ") + diagnosisText(m_run->scene, m_collision, d);
-    m_wrong->setText(wrong.mid(0, 4).join(u'\n'));
+    m_wrong->setText(wrong.mid(0, 3).join(u'\n'));
     m_wrong->setVisible(!wrong.isEmpty());
     m_truth->setText(truthText());
 }
 
+// Theirs above the truth, number by number.
 QString PredictPanel::truthText() const {
     const PairCollision<double>& s = m_collision.steps;
-    const double scale = speedScale(s);
+    const Prediction& guess = m_fields->prediction();
     const auto number = [](double v, double of) { return numberText(std::abs(v) < 1e-12 * of ? 0 : v, 3); };
-    const auto line = [&](int body, const Vec2d& v) {
-        return QStringLiteral("%1: (%2, %3) m/s")
-            .arg(bodyName(m_run->scene, body), number(v.x, scale), number(v.y, scale));
+    const double scale = speedScale(s);
+    const auto velocity = [&](const Vec2d& v) {
+        return QStringLiteral("(%1, %2)").arg(number(v.x, scale), number(v.y, scale));
     };
-    QStringList parts{line(m_collision.first, s.after.first)};
+    QStringList lines;
+    const auto compare = [&](const QString& what, const QString& theirs, const QString& truth,
+                             const char* unit) {
+        lines << QStringLiteral("%1: %2 → %3 %4").arg(what, theirs, truth, QString::fromUtf8(unit));
+    };
+    compare(bodyName(m_run->scene, m_collision.first), velocity(guess.after.first), velocity(s.after.first),
+            "m/s");
     if (!m_collision.isWall())
-        parts << line(m_collision.second, s.after.second);
-    parts << tr("energy lost: %1 J").arg(number(s.energyLoss, energyOf(s, s.before)));
-    return tr("The truth: %1").arg(parts.join(QStringLiteral(" · ")));
+        compare(bodyName(m_run->scene, m_collision.second), velocity(guess.after.second),
+                velocity(s.after.second), "m/s");
+    const double energy = energyOf(s, s.before);
+    compare(tr("Energy lost"), guess.energyLost ? number(*guess.energyLost, energy) : QStringLiteral("?"),
+            number(s.energyLoss, energy), "J");
+    return tr("Expected → truth") + u'\n' + lines.join(u'\n');
 }
 
 void PredictPanel::retranslate() {
@@ -300,7 +332,7 @@ void PredictPanel::restyle() {
     m_invitation->setFont(look.font(Size::Large));
     m_title->setFont(look.font(Size::Large, true));
     m_facts->setFont(look.font(Size::Normal));
-    m_score->setFont(look.font(Size::Title, true));
+    m_score->setFont(look.font(Size::Large, true));
     m_wrong->setFont(look.font(Size::Normal));
     m_truth->setFont(look.font(Size::Normal));
     makeQuiet(*m_rule, look);

@@ -42,6 +42,7 @@ signals:
 
 protected:
     void restyle() override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* makeInvitation();
@@ -56,6 +57,7 @@ private:
     void followPlayhead();
     void showWords();
     void showInvitation();
+    void fit();
     void showVerdict();
     QString truthText() const;
 

@@ -19,9 +19,9 @@ QString three(double value) {
 QString lawText(const Diagnosis& d) {
     switch (d.what) {
     case Misconception::MomentumNotKept:
-        return PredictWords::tr(
-                   "Momentum is not kept: %1 kg·m/s before, but %2 kg·m/s in your prediction, or "
-                   "in another direction.")
+        if (three(d.wanted) == three(d.value))
+            return PredictWords::tr("Momentum is not kept: yours points in another direction than before.");
+        return PredictWords::tr("Momentum is not kept: %1 kg·m/s before, but %2 kg·m/s in your prediction.")
             .arg(three(d.wanted), three(d.value));
     case Misconception::EnergyGained:
         return PredictWords::tr("Kinetic energy came from nothing: %1 J before, %2 J in your prediction, as "

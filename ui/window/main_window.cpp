@@ -262,11 +262,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openFile(event->mimeData()->urls().first().toLocalFile());
 }
 
-void MainWindow::setReducedMotion(bool on) {
-    m_context.appearance.setReducedMotion(on);
-    m_lane->setReducedMotion(on);
-}
-
 // Each kind of scene opens on what there is to do first.
 void MainWindow::showPanelsFor(const Run& run) {
     const bool hasPins =
