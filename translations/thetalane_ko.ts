@@ -39,6 +39,10 @@
             <source>measures speed against accuracy, method by method, and what is made of extremes</source>
             <translation>방법마다 속도와 정확도를 재어 견주고, 극단적인 조건에서 얻는 값을 잽니다</translation>
         </message>
+        <message>
+            <source>a collision to work through by hand, with an answer page, as a PDF file to print</source>
+            <translation>충돌 하나를 손으로 풀어 보는 활동지를 정답 쪽과 함께 인쇄용 PDF 파일로 만듭니다</translation>
+        </message>
     </context>
     <context>
         <name>Console</name>
@@ -1451,6 +1455,10 @@ after %2 s: off by %3 m</source>
         <message>
             <source>--picture: this program was built without the window, and cannot draw it</source>
             <translation>--picture: 창 없이 빌드된 프로그램이어서 그림을 그릴 수 없습니다</translation>
+        </message>
+        <message>
+            <source>worksheet: this program was built without the window, and cannot draw it</source>
+            <translation>worksheet: 이 프로그램은 창 없이 만들어져 활동지를 그릴 수 없습니다</translation>
         </message>
     </context>
     <context>
@@ -5940,6 +5948,517 @@ pin</source>
         <message>
             <source>Follow the ball</source>
             <translation>공 따라가기</translation>
+        </message>
+    </context>
+    <context>
+        <name>CollisionSheet</name>
+        <message>
+            <source>Σ%1 after − before</source>
+            <translation>Σ%1의 변화 (후 − 전)</translation>
+        </message>
+        <message>
+            <source>within rounding</source>
+            <translation>반올림 오차 이내</translation>
+        </message>
+        <message>
+            <source>taken up by the wall</source>
+            <translation>벽이 받은 몫</translation>
+        </message>
+        <message>
+            <source>Body</source>
+            <translation>물체</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>합계</translation>
+        </message>
+        <message>
+            <source>After</source>
+            <translation>충돌 후</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>충돌 전</translation>
+        </message>
+        <message>
+            <source>Check</source>
+            <translation>확인</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Energy lost</source>
+            <translation>에너지 손실</translation>
+        </message>
+        <message>
+            <source>−(relative velocity along x′ after)/(before) = %1</source>
+            <translation>−(충돌 후 x′ 상대 속도)/(충돌 전 x′ 상대 속도) = %1</translation>
+        </message>
+        <message>
+            <source>e from the velocities</source>
+            <translation>속도로 구한 e</translation>
+        </message>
+        <message>
+            <source>given: %1</source>
+            <translation>주어진 값: %1</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>충돌 전</translation>
+        </message>
+        <message>
+            <source>after</source>
+            <translation>충돌 후</translation>
+        </message>
+        <message>
+            <source>e, given</source>
+            <translation>주어진 e</translation>
+        </message>
+    </context>
+    <context>
+        <name>Worksheet</name>
+        <message>
+            <source>Worksheet: bodies that collide at once</source>
+            <translation>활동지: 여러 물체의 동시 충돌</translation>
+        </message>
+        <message>
+            <source>Worksheet: collision with a wall</source>
+            <translation>활동지: 벽과의 충돌</translation>
+        </message>
+        <message>
+            <source>Worksheet: collision of two bodies</source>
+            <translation>활동지: 두 물체의 충돌</translation>
+        </message>
+        <message>
+            <source>Find θ, the direction of the line square on the wall (x′).</source>
+            <translation>벽에 수직인 법선 방향(x′축)의 각 θ를 구하시오.</translation>
+        </message>
+        <message>
+            <source>Find θ, the direction of the line of centres (x′).</source>
+            <translation>두 물체의 중심선(x′축)이 x축과 이루는 각 θ를 구하시오.</translation>
+        </message>
+        <message>
+            <source>Split the velocities before the collision along x′ and across it, y′.</source>
+            <translation>충돌 전 속도를 x′ 성분과 y′ 성분으로 분해하시오.</translation>
+        </message>
+        <message>
+            <source>Along x′ it is a collision in one dimension: find the components after it.</source>
+            <translation>x′ 방향의 1차원 충돌에서 충돌 후의 속도 성분을 구하시오.</translation>
+        </message>
+        <message>
+            <source>Turn back to x and y: find the velocities after the collision.</source>
+            <translation>원래의 x축과 y축으로 환산하여 충돌 후 속도를 구하시오.</translation>
+        </message>
+        <message>
+            <source>Fill in the blanks of the table.</source>
+            <translation>표의 빈칸을 채우시오.</translation>
+        </message>
+        <message>
+            <source>Check the coefficient of restitution, the energy and the momentum.</source>
+            <translation>반발 계수, 에너지 손실, 운동량 보존을 확인하시오.</translation>
+        </message>
+        <message>
+            <source>Answers</source>
+            <translation>정답과 풀이</translation>
+        </message>
+        <message>
+            <source>Collision %1: %2, at %3 s</source>
+            <translation>충돌 %1: %2, 시각 %3 s</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>학년 · 반 · 번호</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>날짜</translation>
+        </message>
+        <message>
+            <source>What is given</source>
+            <translation>주어진 값</translation>
+        </message>
+        <message>
+            <source>Is the total momentum the same before and after the collision? Why?</source>
+            <translation>충돌 전과 충돌 후의 총 운동량은 같은가? 그 까닭은 무엇인가?</translation>
+        </message>
+        <message>
+            <source>No: the wall takes up an impulse, and by just that the momentum of the bodies changes.</source>
+            <translation>같지 않다. 벽이 충격량을 받고, 바로 그만큼 물체의 운동량이 변한다.</translation>
+        </message>
+        <message>
+            <source>Yes: only the bodies act on each other, with forces equal and opposite, so the total momentum is kept.</source>
+            <translation>같다. 물체끼리 크기가 같고 방향이 반대인 힘(작용 반작용)만 주고받으므로 총 운동량이 보존된다.</translation>
+        </message>
+        <message>
+            <source>Before the collision</source>
+            <translation>충돌 전</translation>
+        </message>
+        <message>
+            <source>After the collision</source>
+            <translation>충돌 후</translation>
+        </message>
+        <message>
+            <source>Body</source>
+            <translation>물체</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>합계</translation>
+        </message>
+    </context>
+    <context>
+        <name>WorksheetCommand</name>
+        <message>
+            <source>is missing; say where the worksheet goes, FILE.pdf</source>
+            <translation>없습니다. 활동지를 저장할 파일을 FILE.pdf처럼 지정하십시오</translation>
+        </message>
+        <message>
+            <source>must end in .pdf, is "%1"</source>
+            <translation>.pdf로 끝나야 하는데 "%1"입니다</translation>
+        </message>
+        <message>
+            <source>where the worksheet goes</source>
+            <translation>활동지를 저장할 파일</translation>
+        </message>
+        <message>
+            <source>which collision, from 1; the first unless said</source>
+            <translation>몇 번째 충돌인지 (1부터). 기본값은 첫 번째</translation>
+        </message>
+        <message>
+            <source>%1: nothing collides in this scene in the time asked for</source>
+            <translation>%1: 이 장면에서는 지정한 시간 안에 충돌이 일어나지 않습니다</translation>
+        </message>
+        <message>
+            <source>must be from 1 to %1, the number of collisions, is %2</source>
+            <translation>1부터 충돌 횟수 %1까지여야 하는데 %2입니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::BodiesPage</name>
+        <message>
+            <source>All bodies now</source>
+            <translation>지금의 모든 물체</translation>
+        </message>
+        <message>
+            <source>Follows the time; Ctrl+C copies the rows chosen, or all, with every digit</source>
+            <translation>시각을 따라 바뀝니다. Ctrl+C를 누르면 선택한 행(없으면 전체)을 모든 자릿수로 복사합니다</translation>
+        </message>
+        <message>
+            <source>At %1 s</source>
+            <translation>시각 %1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::CentreFigure</name>
+        <message>
+            <source>Path of the centre of mass</source>
+            <translation>질량 중심의 경로</translation>
+        </message>
+        <message>
+            <source>The cross is the centre of mass; solid: where it has been, dotted: where it goes</source>
+            <translation>십자가 질량 중심입니다. 실선은 지나온 길, 점선은 앞으로 갈 길입니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::CentrePage</name>
+        <message>
+            <source>Centre of mass</source>
+            <translation>질량 중심</translation>
+        </message>
+        <message>
+            <source>Follows the time; Ctrl+C copies it with every digit</source>
+            <translation>시각을 따라 바뀝니다. Ctrl+C를 누르면 모든 자릿수로 복사합니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::CollisionPage</name>
+        <message>
+            <source>No collision is open: these are all bodies now.</source>
+            <translation>열린 충돌이 없어 지금의 모든 물체를 보입니다.</translation>
+        </message>
+        <message>
+            <source>All digits on hover; Ctrl+C copies the rows chosen, or all, with every digit</source>
+            <translation>마우스를 올리면 모든 자릿수가 보입니다. Ctrl+C를 누르면 선택한 행(없으면 전체)을 모든 자릿수로 복사합니다</translation>
+        </message>
+        <message>
+            <source>Before and after the collision</source>
+            <translation>충돌 전과 충돌 후</translation>
+        </message>
+        <message>
+            <source>Checks of the collision</source>
+            <translation>충돌의 확인</translation>
+        </message>
+        <message>
+            <source>Collision %1 of %2: %3, at %4 s</source>
+            <translation>충돌 %1/%2: %3, %4 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::CoursePage</name>
+        <message>
+            <source>Press or drag to move the time</source>
+            <translation>누르거나 끌면 시각이 바뀝니다</translation>
+        </message>
+        <message>
+            <source>Kinetic energy of all bodies over time</source>
+            <translation>시간에 따른 모든 물체의 운동 에너지</translation>
+        </message>
+        <message>
+            <source>Momentum of all bodies over time</source>
+            <translation>시간에 따른 모든 물체의 운동량</translation>
+        </message>
+        <message>
+            <source>Kinetic energy of all bodies</source>
+            <translation>모든 물체의 운동 에너지</translation>
+        </message>
+        <message>
+            <source>Time [s]</source>
+            <translation>시각 [s]</translation>
+        </message>
+        <message>
+            <source>Momentum of all bodies</source>
+            <translation>모든 물체의 운동량</translation>
+        </message>
+        <message>
+            <source>%1 moments, evenly spaced, stand for more events than that.</source>
+            <translation>사건이 너무 많아 같은 간격의 %1개 시점만 나타냈습니다.</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>시각</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::ImpulsePage</name>
+        <message>
+            <source>Impulse of each collision over time</source>
+            <translation>시간에 따른 충돌별 충격량</translation>
+        </message>
+        <message>
+            <source>Click a bar to open that collision; press or drag elsewhere to move the time</source>
+            <translation>막대를 누르면 그 충돌이 열립니다. 다른 곳을 누르거나 끌면 시각이 바뀝니다</translation>
+        </message>
+        <message>
+            <source>Round: two bodies. Square: a body and a wall. Coloured: the open collision.</source>
+            <translation>원: 두 물체의 충돌, 네모: 벽과의 충돌, 색: 열린 충돌</translation>
+        </message>
+        <message>
+            <source>Collision %1: %2, %3 N·s, at %4 s</source>
+            <translation>충돌 %1: %2, %3 N·s, %4 s</translation>
+        </message>
+        <message>
+            <source>Impulse of each collision</source>
+            <translation>충돌별 충격량</translation>
+        </message>
+        <message>
+            <source>Time [s]</source>
+            <translation>시각 [s]</translation>
+        </message>
+        <message>
+            <source>Impulse [N·s]</source>
+            <translation>충격량 [N·s]</translation>
+        </message>
+        <message>
+            <source>%1 of %2 are drawn: of those close together the greatest.</source>
+            <translation>%2개 가운데 %1개를 그렸습니다. 서로 가까운 것은 가장 큰 것만 그립니다.</translation>
+        </message>
+        <message>
+            <source>Nothing collides in this scene.</source>
+            <translation>이 장면에서는 충돌이 일어나지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>시각</translation>
+        </message>
+        <message>
+            <source>First</source>
+            <translation>첫째</translation>
+        </message>
+        <message>
+            <source>Second</source>
+            <translation>둘째</translation>
+        </message>
+        <message>
+            <source>Impulse</source>
+            <translation>충격량</translation>
+        </message>
+        <message>
+            <source>Energy lost</source>
+            <translation>에너지 손실</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::MomentumFigure</name>
+        <message>
+            <source>Momenta tip to tail, before and after</source>
+            <translation>충돌 전과 충돌 후의 운동량 벡터의 합</translation>
+        </message>
+        <message>
+            <source>First body solid, second dashed, the total broad; before and after to one scale</source>
+            <translation>첫째 물체는 실선, 둘째 물체는 파선, 합은 굵은 화살표입니다. 충돌 전과 후의 축척이 같습니다</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>충돌 전</translation>
+        </message>
+        <message>
+            <source>After</source>
+            <translation>충돌 후</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::MomentumPage</name>
+        <message>
+            <source>Open a collision to see its momenta: Ctrl+→ opens the next one.</source>
+            <translation>충돌을 열면 운동량이 보입니다. Ctrl+→로 다음 충돌을 엽니다.</translation>
+        </message>
+        <message>
+            <source>Σp before = %1 kg·m/s</source>
+            <translation>충돌 전 Σp = %1 kg·m/s</translation>
+        </message>
+        <message>
+            <source>Σp after = %1 kg·m/s</source>
+            <translation>충돌 후 Σp = %1 kg·m/s</translation>
+        </message>
+        <message>
+            <source>The wall takes up the difference.</source>
+            <translation>그 차이는 벽이 받습니다.</translation>
+        </message>
+        <message>
+            <source>Body</source>
+            <translation>물체</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>충돌 전</translation>
+        </message>
+        <message>
+            <source>after</source>
+            <translation>충돌 후</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>합계</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::TablePage</name>
+        <message>
+            <source>Collisions %1 to %2 of %3</source>
+            <translation>충돌 %1–%2 / %3</translation>
+        </message>
+        <message>
+            <source>Collisions %1 to %2</source>
+            <translation>충돌 %1–%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>thetalane::TablesPanel</name>
+        <message>
+            <source>Before and after</source>
+            <translation>충돌 전과 충돌 후</translation>
+        </message>
+        <message>
+            <source>All bodies now</source>
+            <translation>지금의 모든 물체</translation>
+        </message>
+        <message>
+            <source>Momentum diagram</source>
+            <translation>운동량 그림</translation>
+        </message>
+        <message>
+            <source>Centre of mass</source>
+            <translation>질량 중심</translation>
+        </message>
+        <message>
+            <source>Energy and momentum over time</source>
+            <translation>시간에 따른 에너지와 운동량</translation>
+        </message>
+        <message>
+            <source>Impulse of each collision</source>
+            <translation>충돌별 충격량</translation>
+        </message>
+        <message>
+            <source>Table or plot</source>
+            <translation>표 또는 그래프</translation>
+        </message>
+        <message>
+            <source>Which table or plot is shown</source>
+            <translation>어떤 표나 그래프를 볼지 고릅니다</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>복사</translation>
+        </message>
+        <message>
+            <source>Copies the numbers shown, with every digit, for a spreadsheet (Ctrl+C)</source>
+            <translation>보이는 수를 모든 자릿수로 스프레드시트용으로 복사합니다 (Ctrl+C)</translation>
+        </message>
+        <message>
+            <source>CSV…</source>
+            <translation>CSV…</translation>
+        </message>
+        <message>
+            <source>Writes the numbers shown, with every digit, into a CSV file</source>
+            <translation>보이는 수를 모든 자릿수로 CSV 파일에 저장합니다</translation>
+        </message>
+        <message>
+            <source>PNG…</source>
+            <translation>PNG…</translation>
+        </message>
+        <message>
+            <source>Writes what is shown as a picture into a PNG file</source>
+            <translation>보이는 화면을 PNG 그림 파일로 저장합니다</translation>
+        </message>
+        <message>
+            <source>Worksheet…</source>
+            <translation>활동지…</translation>
+        </message>
+        <message>
+            <source>Writes a worksheet of the open collision, or of the first one, with an answer page, as PDF</source>
+            <translation>열린 충돌(없으면 첫 번째 충돌)의 활동지를 정답 쪽과 함께 PDF로 저장합니다</translation>
+        </message>
+        <message>
+            <source>%1 is written.</source>
+            <translation>%1 파일을 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2</source>
+            <translation>%1 파일을 저장할 수 없습니다: %2</translation>
+        </message>
+        <message>
+            <source>Write a CSV file</source>
+            <translation>CSV 파일 저장</translation>
+        </message>
+        <message>
+            <source>CSV files (*.csv)</source>
+            <translation>CSV 파일 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Write a picture</source>
+            <translation>그림 저장</translation>
+        </message>
+        <message>
+            <source>PNG, twice the size on screen (*.png)</source>
+            <translation>PNG, 화면 크기의 2배 (*.png)</translation>
+        </message>
+        <message>
+            <source>PNG, %1 pixels wide (*.png)</source>
+            <translation>PNG, 가로 %1 픽셀 (*.png)</translation>
+        </message>
+        <message>
+            <source>Write a worksheet</source>
+            <translation>활동지 저장</translation>
+        </message>
+        <message>
+            <source>PDF files (*.pdf)</source>
+            <translation>PDF 파일 (*.pdf)</translation>
         </message>
     </context>
 </TS>
