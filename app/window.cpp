@@ -94,6 +94,7 @@ int runWindow(int& argc, char** argv, const WindowRequest& request) {
     app.appearance.setDark(QGuiApplication::palette().color(QPalette::Window).lightness() < 128);
     MainWindow window(app.context(), app.language);
     window.restoreState();
+    window.keepRecoveries();
     if (request.projector)
         app.appearance.setProjector(true);
     if (request.dark)

@@ -19,9 +19,8 @@ constexpr Room rooms[] = {
     {"ui/lane", 11}, {"ui/steps", 11}, {"ui/panels", 11}, {"ui/rail", 11},
     {"ui/bench/rules", 9},
     {"ui/aim", 12}, {"ui/bench", 12}, {"ui/game", 12}, {"ui/help", 12}, {"ui/lab", 12}, {"ui/lessons", 12},
-    {"ui/map", 12}, {"ui/practice", 12}, {"ui/predict", 12}, {"ui/tables", 12}, {"ui/who", 12},
-    {"ui/worksheet", 12},
-    {"ui/window", 13}, {"ui", 10}, {"app", 14},
+    {"ui/map", 12}, {"ui/practice", 12}, {"ui/predict", 12}, {"ui/who", 12}, {"ui/worksheet", 12},
+    {"ui/tables", 13}, {"ui/window", 14}, {"ui", 10}, {"app", 15},
 };
 // clang-format on
 

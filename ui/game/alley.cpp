@@ -2,6 +2,7 @@
 
 #include <QFile>
 #include <QScopedValueRollback>
+#include <QTimer>
 
 #include <algorithm>
 #include <utility>
@@ -26,6 +27,11 @@ Alley::Alley(Session& session, Playhead& playhead, const QString& directory, QOb
     , m_store(directory) {
     connect(&session, &Session::runChanged, this, &Alley::adoptRun);
     connect(&playhead, &Playhead::timeChanged, this, &Alley::look);
+    // Whatever sets a ball going that is aimed has thrown it: a button, the space bar.
+    connect(&playhead, &Playhead::playingChanged, this, [this](bool playing) {
+        if (playing && m_phase == Phase::Aim)
+            throwBall();
+    });
 }
 
 const Game& Alley::shown() const {
@@ -130,6 +136,7 @@ void Alley::adoptRun() {
         if (!isAim(subject))
             return leave();
         m_aims[turnOf(m_game)->player] = *subject.ballThrow;
+        QTimer::singleShot(0, this, &Alley::spoilNothing); // not while the run is still being told about
         if (isOtherEngine())
             emit changed();
         return;
@@ -156,6 +163,12 @@ void Alley::leave() {
         m_session.setForesight(Foresight::Whole);
     }
     emit changed();
+}
+
+// Someone asked for the whole way of a ball that is not thrown yet.
+void Alley::spoilNothing() {
+    if (m_phase == Phase::Aim)
+        m_session.setForesight(Foresight::FirstContact);
 }
 
 void Alley::look(double time) {

@@ -84,6 +84,7 @@ signals:
 private:
     void adoptRun();
     void look(double time);
+    void spoilNothing();
     void reveal();
     void leave();
     void setUp();

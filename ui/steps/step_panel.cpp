@@ -264,7 +264,7 @@ void StepPanel::showPlaying() {
     const bool playing = m_player.playing();
     const int side = m_play->iconSize().width();
     m_play->setIcon(playsStages(playing, m_appearance.accent(), side));
-    const QString words = playing ? tr("Hold this step (P)") : tr("Play the steps, each held a while (P)");
+    const QString words = playing ? tr("Hold this step (S)") : tr("Play the steps, each held a while (S)");
     m_play->setToolTip(words);
     m_play->setAccessibleName(words);
 }

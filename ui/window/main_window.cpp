@@ -1,36 +1,43 @@
 #include "ui/window/main_window.h"
 
-#include "core/format/scene_file.h"
+#include "ui/aim/aim_tool.h"
+#include "ui/bench/edit_tool.h"
+#include "ui/bench/file_bar.h"
+#include "ui/bench/recovery_bar.h"
+#include "ui/bench/rules/edit_options.h"
+#include "ui/game/game_panel.h"
+#include "ui/game/score_sheet.h"
+#include "ui/game/statistics_panel.h"
 #include "ui/help/term_help.h"
 #include "ui/help/words_panel.h"
 #include "ui/lab/lab_panel.h"
 #include "ui/lane/lane_panel.h"
+#include "ui/lane/lane_scene.h"
+#include "ui/lessons/lesson_panel.h"
 #include "ui/map/map_panel.h"
 #include "ui/panels/bodies_panel.h"
 #include "ui/panels/collision_list.h"
+#include "ui/panels/scene_chooser.h"
 #include "ui/panels/throw_panel.h"
 #include "ui/panels/timeline_bar.h"
 #include "ui/practice/practice_panel.h"
+#include "ui/predict/predict_panel.h"
 #include "ui/rail/rail.h"
 #include "ui/steps/step_panel.h"
+#include "ui/tables/tables_panel.h"
 #include "ui/who/collision_tree_panel.h"
 #include "ui/window/divide.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/shortcuts.h"
 #include "ui/window/top_bar.h"
-#include "ui/words/scene_text.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStyleHints>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,20 +48,37 @@ namespace {
 // A throw has its attributes, other scenes have their bodies'.
 class Attributes : public QStackedWidget {
 public:
-    Attributes(const Context& context, QWidget* parent)
+    Attributes(const Context& context, EditOptions& options, AimTool& aim, QWidget* parent)
         : QStackedWidget(parent) {
-        addWidget(new BodiesPanel(context, this));
-        addWidget(new ThrowPanel(context, this));
+        addWidget(new BodiesPanel(context, options, this));
+        auto* ball = new ThrowPanel(context, this);
+        ball->setUnits(rememberedThrowUnits());
+        connect(ball, &ThrowPanel::unitsChanged, &aim, &AimTool::setUnits);
+        addWidget(ball);
     }
     void show(bool aThrow) { setCurrentIndex(aThrow); }
 };
+
+// How the throws of a game came to the pins.
+std::vector<Entry> entriesOf(const Game& game) {
+    std::vector<Entry> entries;
+    for (const auto& deliveries : game.deliveries)
+        for (const PlayedDelivery& d : deliveries)
+            if (const auto entry = d.thrown ? entryOf(*d.thrown, game.lane.friction) : std::nullopt)
+                entries.push_back(*entry);
+    return entries;
+}
 
 } // namespace
 
 MainWindow::MainWindow(const Context& context, Language& language, QWidget* parent)
     : QMainWindow(parent)
     , m_context(context)
-    , m_language(language) {
+    , m_language(language)
+    , m_desk(new Desk(context.session, this))
+    , m_files(new FileFlow(*m_desk, *this))
+    , m_editing(new EditOptions(this))
+    , m_alley(new Alley(context.session, context.playhead, this)) {
     setObjectName("mainWindow");
     // Before there is a widget to inherit it, and before the panels answer a change with fonts of their own.
     styleApplication();
@@ -63,6 +87,7 @@ MainWindow::MainWindow(const Context& context, Language& language, QWidget* pare
     setMinimumSize(800, 560);
     resize(1280, 800);
     buildCentre();
+    buildTools();
     furnishRooms();
     buildShortcuts();
     m_terms = new TermHelp(*this);
@@ -82,6 +107,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildCentre() {
     m_topBar = new TopBar(m_context, m_language, this);
+    m_topBar->addFirst(new FileBar(m_context, *m_files, m_topBar));
     m_lane = new LanePanel(m_context);
     m_panels = new QStackedWidget;
     m_panels->setObjectName("panels");
@@ -92,6 +118,7 @@ void MainWindow::buildCentre() {
     m_divide->addWidget(m_panels);
     m_rail = new Rail(m_context.appearance, *m_panels);
     m_message = new MessageBar(m_context);
+    m_timeline = new TimelineBar(m_context);
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
@@ -103,13 +130,28 @@ void MainWindow::buildCentre() {
     layout->setSpacing(0);
     layout->addWidget(m_topBar);
     layout->addWidget(m_message);
+    layout->addWidget(new RecoveryBar(m_context, *m_files));
+    layout->addWidget(new ScoreSheet(m_context, *m_alley)); // hides itself without a game
     layout->addLayout(middle, 1);
-    layout->addWidget(new TimelineBar(m_context));
+    layout->addWidget(m_timeline);
     setCentralWidget(centre);
-    connect(m_topBar, &TopBar::openFileRequested, this, &MainWindow::chooseFile);
+    m_topBar->scenes().setGuard([this](std::function<void()> go) { m_files->whenSafe(std::move(go)); });
+    connect(m_topBar, &TopBar::openFileRequested, m_files, &FileFlow::chooseAndOpen);
+    connect(m_desk, &Desk::failed, m_message, &MessageBar::showError);
+    connect(m_desk, &Desk::changed, this, &MainWindow::showTitle);
+    connect(m_alley, &Alley::changed, this, &MainWindow::followGame);
     // Diagrams and ghosts like room.
-    connect(m_rail, &Rail::entered, m_divide,
-            [this](Room room) { m_divide->setShare(room == Room::Accuracy ? 0.5 : 0.3); });
+    connect(m_rail, &Rail::entered, m_divide, [this](Room room) {
+        m_divide->setShare(room == Room::Accuracy ? 0.5 : room == Room::Map ? 0.4 : 0.3);
+    });
+}
+
+void MainWindow::buildTools() {
+    m_aim = new AimTool(m_context, this);
+    m_lane->addTool(*m_aim);
+    m_edit = new EditTool(m_context, *m_lane, *m_editing, this);
+    m_lane->view().addTool(*m_edit);
+    connect(m_edit, &EditTool::held, &m_lane->scene(), &LaneScene::holdScale);
 }
 
 void MainWindow::furnishRooms() {
@@ -117,14 +159,10 @@ void MainWindow::furnishRooms() {
     m_rail->furnish(Room::Collisions,
                     [this](QWidget* parent) { return new CollisionList(m_context, parent); });
     m_rail->furnish(Room::Attributes, [this](QWidget* parent) {
-        auto* attributes = new Attributes(m_context, parent);
+        auto* attributes = new Attributes(m_context, *m_editing, *m_aim, parent);
         attributes->show(m_isThrow);
         return attributes;
     });
-    m_rail->furnish(Room::Chain,
-                    [this](QWidget* parent) { return new CollisionTreePanel(m_context, parent); });
-    m_rail->furnish(Room::Map, [this](QWidget* parent) { return new MapPanel(m_context, parent); });
-    m_rail->furnish(Room::Practice, [this](QWidget* parent) { return new PracticePanel(m_context, parent); });
     m_rail->furnish(Room::Accuracy, [this](QWidget* parent) { return new LabPanel(m_context, parent); });
     m_rail->furnish(Room::Words, [this](QWidget* parent) {
         return new WordsPanel(
@@ -137,7 +175,50 @@ void MainWindow::furnishRooms() {
             },
             parent);
     });
+    furnishClassroom();
+    furnishAlley();
     enter(Room::Steps);
+}
+
+void MainWindow::furnishClassroom() {
+    m_rail->furnish(Room::Lessons, [this](QWidget* parent) {
+        auto* lessons = new LessonPanel(m_context, parent);
+        connect(lessons, &LessonPanel::showRequested, this, &MainWindow::bringForward);
+        connect(lessons, &LessonPanel::running, this, [this](bool running) {
+            m_inLesson = running;
+            m_edit->setEnabled(!running);
+            m_desk->setRecording(!running && !m_alley->isOn());
+        });
+        // The answer is given in a dialog that leaves the window free; the lesson starts with the next click.
+        lessons->setMayOpen([this] {
+            if (!m_desk->isModified() || m_mayLoseEdits)
+                return true;
+            m_files->whenSafe([this] { m_mayLoseEdits = true; });
+            return false;
+        });
+        return lessons;
+    });
+    m_rail->furnish(Room::Predict, [this](QWidget* parent) {
+        auto* predict = new PredictPanel(m_context, parent);
+        connect(predict, &PredictPanel::predicting, &m_lane->scene(), &LaneScene::hideFuture);
+        return predict;
+    });
+    m_rail->furnish(Room::Tables, [this](QWidget* parent) { return new TablesPanel(m_context, parent); });
+}
+
+void MainWindow::furnishAlley() {
+    m_rail->furnish(Room::Game,
+                    [this](QWidget* parent) { return new GamePanel(m_context, *m_alley, parent); });
+    m_rail->furnish(Room::Statistics,
+                    [this](QWidget* parent) { return new StatisticsPanel(m_context, *m_alley, parent); });
+    m_rail->furnish(Room::Chain,
+                    [this](QWidget* parent) { return new CollisionTreePanel(m_context, parent); });
+    m_rail->furnish(Room::Map, [this](QWidget* parent) {
+        auto* map = new MapPanel(m_context, parent);
+        map->setDots(entriesOf(m_alley->shown()));
+        return map;
+    });
+    m_rail->furnish(Room::Practice, [this](QWidget* parent) { return new PracticePanel(m_context, parent); });
 }
 
 void MainWindow::enter(Room room) {
@@ -180,7 +261,7 @@ void MainWindow::buildShortcuts() {
         Qt::Key_Down, [] { return tr("The next step of the collision"); }, [&] { playhead.stepStage(+1); },
         usesArrows);
     add(
-        Qt::Key_P, [] { return tr("Play the steps, or hold"); },
+        Qt::Key_S, [] { return tr("Play the steps, or hold"); },
         [this] {
             enter(Room::Steps);
             static_cast<StepPanel*>(m_rail->panel(Room::Steps))->player().toggle();
@@ -191,6 +272,13 @@ void MainWindow::buildShortcuts() {
     add(
         Qt::Key_R, [] { return tr("Reset the scene"); }, [this] { m_context.session.reset(); }, usesLetters);
     m_shortcuts->mention(Qt::Key_F, [] { return tr("All of the lane in view"); });
+    m_shortcuts->mention(Qt::Key_B, [] { return tr("The foul line, to aim"); });
+    m_shortcuts->mention(Qt::Key_P, [] { return tr("The pins, close up"); });
+    m_shortcuts->mention(Qt::Key_C, [] { return tr("The camera follows the ball, or stays"); });
+    m_shortcuts->mention(Qt::Key_A, [] { return tr("On a lane: the next thing that the arrow keys aim"); });
+    m_shortcuts->mention(Qt::Key_N,
+                         [] { return tr("On the bench: the next body that the arrow keys move"); });
+    m_shortcuts->mention(Qt::Key_Return, [] { return tr("In a game: throw, or go on"); });
     add(
         Qt::Key_F9, [] { return tr("Fold the panel away, or open it"); },
         [this] { m_rail->setOpen(!m_rail->isOpen()); });
@@ -201,11 +289,17 @@ void MainWindow::buildShortcuts() {
     add(
         Qt::Key_L, [] { return tr("한국어 or English"); }, [this] { toggleLanguage(); }, usesLetters);
     add(
-        QKeySequence::Open, [] { return tr("Open a scene file"); }, [this] { chooseFile(); });
-    add(
         Qt::Key_F1, [] { return tr("What this term means; the keys"); }, [this] { explainTerm(); });
     m_shortcuts->mention(QKeySequence(Qt::ALT | Qt::Key_1),
                          [] { return tr("The first panel; with 2, 3, … the next ones"); });
+    const std::pair<QKeySequence, QString (*)()> files[] = {
+        {QKeySequence::New, [] { return tr("A new scene"); }},
+        {QKeySequence::Open, [] { return tr("Open a scene file"); }},
+        {QKeySequence::Save, [] { return tr("Save the scene"); }},
+        {QKeySequence::Undo, [] { return tr("Undo"); }},
+        {QKeySequence::Redo, [] { return tr("Redo"); }}};
+    for (const auto& [keys, what] : files)
+        m_shortcuts->mention(keys, what);
     for (int k = 0; k < 9; ++k)
         m_shortcuts->add({QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + k)), [] { return QString(); },
                           [this, k] {
@@ -219,25 +313,9 @@ void MainWindow::toggleLanguage() {
                                                                : Language::Code::Korean);
 }
 
-// Not modal: the lane goes on behind it.
-void MainWindow::chooseFile() {
-    auto* dialog = new QFileDialog(this, tr("Open a scene file"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setNameFilters({tr("Scene files (*.json)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
-    dialog->open();
-}
-
 void MainWindow::openFile(const QString& path) {
-    const QString name = QFileInfo(path).fileName();
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return m_message->showError([text = name + ": " + file.errorString()] { return text; });
-    const auto result = readScene(file.readAll());
-    if (const auto* errors = std::get_if<std::vector<SceneError>>(&result))
-        return m_message->showError([name, e = errors->front()] { return name + ": " + sceneErrorText(e); });
     m_message->hide();
-    m_context.session.open(std::get<Scene>(result));
+    m_files->open(path);
 }
 
 void MainWindow::openLab(Preset preset) {
@@ -262,7 +340,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openFile(event->mimeData()->urls().first().toLocalFile());
 }
 
-// Each kind of scene opens on what there is to do first.
+// Each kind of scene opens on what there is to do first; who is elsewhere stays there.
 void MainWindow::showPanelsFor(const Run& run) {
     const bool hasPins =
         std::ranges::any_of(run.scene.bodies, [](const Body& body) { return body.kind == BodyKind::Pin; });
@@ -275,19 +353,54 @@ void MainWindow::showPanelsFor(const Run& run) {
     if (m_rail->isFurnished(Room::Attributes))
         static_cast<Attributes*>(m_rail->panel(Room::Attributes))->show(isThrow);
     const Room now = m_rail->current();
-    if (now == Room::Steps || now == Room::Attributes)
+    if ((now == Room::Steps || now == Room::Attributes) && !m_inLesson)
         enter(isThrow ? Room::Attributes : Room::Steps);
     retranslate();
 }
 
+// A delivery cannot be taken back by an undo of the scene; the game has its own.
+void MainWindow::followGame() {
+    m_desk->setRecording(!m_alley->isOn() && !m_inLesson);
+    m_rail->setOffered(Room::Statistics, m_alley->isOn() || m_isThrow);
+    if (m_rail->isFurnished(Room::Map))
+        static_cast<MapPanel*>(m_rail->panel(Room::Map))->setDots(entriesOf(m_alley->shown()));
+}
+
+// What a stop of a lesson wants to be seen.
+void MainWindow::bringForward(LessonShow what) {
+    switch (what) {
+    case LessonShow::Nothing:
+        return;
+    case LessonShow::Steps:
+        return enter(Room::Steps);
+    case LessonShow::Collisions:
+        return enter(Room::Collisions);
+    case LessonShow::Bodies:
+        return enter(Room::Attributes);
+    case LessonShow::Tables:
+    case LessonShow::Plots:
+        enter(Room::Tables);
+        return static_cast<TablesPanel*>(m_rail->panel(Room::Tables))
+            ->choose(what == LessonShow::Tables ? TablesPanel::View::Collision : TablesPanel::View::Course);
+    case LessonShow::Lab:
+        return enter(Room::Accuracy);
+    }
+}
+
 // A collision that was picked on the lane or the bar opens; the list stays where its reader is.
 void MainWindow::openSelection() {
-    if (m_context.playhead.selected() && m_rail->current() == Room::Attributes)
+    const Room now = m_rail->current();
+    if (m_context.playhead.selected() && (now == Room::Attributes || now == Room::Game))
         enter(Room::Steps);
 }
 
 void MainWindow::retranslate() {
-    setWindowTitle("ThetaLane");
+    showTitle();
+    m_rail->setWords(Room::Lessons, tr("Lessons"), tr("Lessons: a scene, a few stops, a question"));
+    m_rail->setWords(Room::Predict, tr("Predict"), tr("Predict what comes, then see it"));
+    m_rail->setWords(Room::Tables, tr("Tables"), tr("Tables, plots, and a worksheet to print"));
+    m_rail->setWords(Room::Game, tr("Game"), tr("A game of bowling, for one to eight"));
+    m_rail->setWords(Room::Statistics, tr("Statistics"), tr("Strikes, spares and averages"));
     m_rail->setWords(Room::Steps, tr("Steps"), tr("The collision, step by step"));
     m_rail->setWords(Room::Collisions, tr("Collisions"), tr("All collisions"));
     m_rail->setWords(Room::Attributes, m_isThrow ? tr("Throw") : tr("Bodies"),
@@ -297,6 +410,17 @@ void MainWindow::retranslate() {
     m_rail->setWords(Room::Practice, tr("Practice"), tr("Spares, and what changes if"));
     m_rail->setWords(Room::Words, tr("Words"), tr("The terms explained, and the keys (F1)"));
     m_rail->setWords(Room::Accuracy, tr("Accuracy"), tr("Speed against accuracy, measured"));
+}
+
+void MainWindow::showTitle() {
+    const QString name = m_desk->documentName();
+    setWindowTitle(name.isEmpty() ? QStringLiteral("ThetaLane[*]")
+                                  : name + QStringLiteral("[*] — ThetaLane"));
+    setWindowModified(m_desk->isModified());
+}
+
+void MainWindow::keepRecoveries() {
+    m_desk->keepRecoveriesIn(Desk::usualRecoveryPlace());
 }
 
 void MainWindow::styleApplication() {
@@ -314,6 +438,9 @@ void MainWindow::applyAppearance() {
 
 void MainWindow::restoreState() {
     const QSettings settings;
+    m_aim->setUnits(rememberedThrowUnits());
+    m_lane->restoreChoices();
+    m_timeline->restoreChoices();
     restoreGeometry(settings.value("window/geometry").toByteArray());
     m_divide->recall(settings.value("window/divide").toByteArray());
     m_context.appearance.setProjector(settings.value("window/projector", false).toBool());
@@ -332,6 +459,13 @@ void MainWindow::saveState() const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_desk->isModified() && !m_leaving) {
+        event->ignore();
+        return m_files->whenSafe([this] {
+            m_leaving = true;
+            close();
+        });
+    }
     saveState();
     QMainWindow::closeEvent(event);
 }

@@ -95,7 +95,8 @@ private:
     TermHelp* m_terms = nullptr;
     bool m_isThrow = false; // what the attributes are of
     bool m_inLesson = false;
-    bool m_leaving = false; // the question of what is not saved was answered
+    bool m_mayLoseEdits = false; // said once, for the lesson that comes
+    bool m_leaving = false;      // the question of what is not saved was answered
 };
 
 } // namespace thetalane
