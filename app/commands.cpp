@@ -25,6 +25,10 @@ constexpr Command all[] = {
      scoreCommand},
     {"picture", QT_TRANSLATE_NOOP("Commands", "draws the window, as it would look, into a PNG file"),
      nullptr},
+    {"worksheet",
+     QT_TRANSLATE_NOOP("Commands",
+                       "a collision to work through by hand, with an answer page, as a PDF file to print"),
+     nullptr},
 };
 
 } // namespace

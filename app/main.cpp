@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "app/scene_source.h"
 #include "app/text_table.h"
+#include "app/worksheet_file.h"
 
 #include <QCoreApplication>
 
@@ -85,7 +86,8 @@ std::variant<int, WindowRequest> readWindowCall(const Call& call) {
 }
 
 // The status to leave with, or what a window is to open or to be drawn with.
-using Outcome = std::variant<int, WindowRequest, PictureRequest, MapPictureRequest, StudyPicture>;
+using Outcome =
+    std::variant<int, WindowRequest, PictureRequest, MapPictureRequest, StudyPicture, WorksheetRequest>;
 
 Outcome toOutcome(auto&& read) {
     return std::visit([](auto&& value) -> Outcome { return std::forward<decltype(value)>(value); },
@@ -117,6 +119,8 @@ Outcome dispatch(int& argc, char** argv) {
         return toOutcome(mapCommand(call));
     if (name == "study")
         return toOutcome(readStudyCall(call));
+    if (name == "worksheet")
+        return toOutcome(readWorksheetCall(call));
     for (const Command& command : commands())
         if (name == command.name)
             return command.run(call);
@@ -133,6 +137,8 @@ int start(int argc, char** argv) {
         return drawMapPicture(argc, argv, *map);
     if (const auto* study = std::get_if<StudyPicture>(&outcome))
         return drawStudyPicture(argc, argv, *study);
+    if (const auto* worksheet = std::get_if<WorksheetRequest>(&outcome))
+        return drawWorksheet(argc, argv, *worksheet);
     return std::get<int>(outcome);
 }
 

@@ -3,6 +3,7 @@
 #include "app/map_picture.h"
 #include "app/studies.h"
 #include "app/window.h"
+#include "app/worksheet_file.h"
 
 #include <QCoreApplication>
 
@@ -21,6 +22,11 @@ int drawPicture(int&, char**, const PictureRequest&) {
 int drawMapPicture(int&, char**, const MapPictureRequest&) {
     return failure(QCoreApplication::translate(
         "NoWindow", "--picture: this program was built without the window, and cannot draw it"));
+}
+
+int drawWorksheet(int&, char**, const WorksheetRequest&) {
+    return failure(QCoreApplication::translate(
+        "NoWindow", "worksheet: this program was built without the window, and cannot draw it"));
 }
 
 int drawStudyPicture(int&, char**, const StudyPicture&) {
