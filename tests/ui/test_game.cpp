@@ -6,7 +6,7 @@
 #include "ui/game/game_panel.h"
 #include "ui/game/game_words.h"
 #include "ui/game/score_sheet.h"
-#include "ui/game/sheet_table.h"
+#include "ui/game/score_table.h"
 #include "ui/game/statistics_panel.h"
 
 #include <QComboBox>
@@ -55,7 +55,7 @@ struct GameBench : PanelBench {
     StatisticsPanel* statistics;
 
     QPushButton& go() { return *panel->findChild<QPushButton*>("goOn"); }
-    SheetTable& table() { return *sheet->findChild<SheetTable*>(); }
+    ScoreTable& table() { return *sheet->findChild<ScoreTable*>(); }
     QString textOf(const char* name) { return panel->findChild<QLabel*>(QLatin1String(name))->text(); }
 
     void start(std::vector<Player> players, ScoringRules rules = ScoringRules::Traditional) {

@@ -73,18 +73,18 @@ private slots:
         Program p;
         QVERIFY(p.panels().isVisible());
         const int lane = p.window->findChild<QWidget*>("lanePanel")->width();
-        QTest::mouseClick(&p.button(Room::Words), Qt::LeftButton);
-        QCOMPARE(p.rail().current(), Room::Words);
-        QTest::mouseClick(&p.button(Room::Words), Qt::LeftButton);
+        QTest::mouseClick(&p.button(Room::Glossary), Qt::LeftButton);
+        QCOMPARE(p.rail().current(), Room::Glossary);
+        QTest::mouseClick(&p.button(Room::Glossary), Qt::LeftButton);
         QVERIFY(!p.panels().isVisible());
-        QVERIFY(!p.button(Room::Words).isChecked());
+        QVERIFY(!p.button(Room::Glossary).isChecked());
         QTest::qWait(1);
         QVERIFY(p.window->findChild<QWidget*>("lanePanel")->width() > lane + 200);
         QTest::keyClick(p.window.get(), Qt::Key_F9);
         QVERIFY(p.panels().isVisible());
         QTest::mouseClick(&p.button(Room::Steps), Qt::LeftButton);
         QCOMPARE(p.rail().current(), Room::Steps);
-        QVERIFY(!p.button(Room::Words).isChecked());
+        QVERIFY(!p.button(Room::Glossary).isChecked());
     }
 
     void roomsAreFurnishedWhenTheyAreEntered() {
@@ -164,7 +164,7 @@ private slots:
         auto* header = p.window->findChild<QWidget*>("stepHeader3");
         header->setFocus(Qt::TabFocusReason);
         QTest::keyClick(header, Qt::Key_F1);
-        QCOMPARE(p.rail().current(), Room::Words);
+        QCOMPARE(p.rail().current(), Room::Glossary);
         auto* text = p.window->findChild<QTextBrowser*>("terms");
         QVERIFY(text->verticalScrollBar()->value() > 0);
         const QString atTop = text->cursorForPosition(QPoint(2, 8)).block().text();

@@ -1,7 +1,7 @@
 #include "ui/game/frame_editor.h"
 
 #include "ui/game/game_words.h"
-#include "ui/game/pin_deck.h"
+#include "ui/game/frame_deck.h"
 #include "ui/words/game_text.h"
 
 #include <QGridLayout>
@@ -57,10 +57,10 @@ void FrameEditor::build() {
     grid->addWidget(m_rolls, 1, 0, 1, mostBalls);
     grid->addWidget(m_hint, 2, 0, 1, mostBalls);
     for (int ball = 0; ball < mostBalls; ++ball) {
-        auto* deck = new PinDeck(appearance(), this);
+        auto* deck = new FrameDeck(appearance(), this);
         deck->setObjectName(QStringLiteral("frameDeck%1").arg(ball + 1));
         deck->setChoosable(true);
-        connect(deck, &PinDeck::chosen, this, [this, ball](int pin) { toggle(ball, pin); });
+        connect(deck, &FrameDeck::chosen, this, [this, ball](int pin) { toggle(ball, pin); });
         m_names[std::size_t(ball)] = new QLabel(this);
         m_decks[std::size_t(ball)] = deck;
         grid->addWidget(m_names[std::size_t(ball)], 3, ball, Qt::AlignHCenter);

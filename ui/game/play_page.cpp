@@ -1,7 +1,7 @@
 #include "ui/game/play_page.h"
 
 #include "ui/game/game_words.h"
-#include "ui/game/pin_deck.h"
+#include "ui/game/frame_deck.h"
 #include "ui/game/player_colours.h"
 #include "ui/game/saved_games_list.h"
 
@@ -46,7 +46,7 @@ PlayPage::PlayPage(const Context& context, Alley& alley, QWidget* parent)
     , m_column(new QVBoxLayout(this))
     , m_name(new QLabel(this))
     , m_place(new QLabel(this))
-    , m_deck(new PinDeck(appearance(), this))
+    , m_deck(new FrameDeck(appearance(), this))
     , m_standing(new QLabel(this))
     , m_go(new QPushButton(this))
     , m_told(new QLabel(this))

@@ -1,7 +1,7 @@
 #include "ui/game/score_sheet.h"
 
 #include "ui/game/frame_editor.h"
-#include "ui/game/sheet_table.h"
+#include "ui/game/score_table.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -34,16 +34,16 @@ ScoreSheet::ScoreSheet(const Context& context, Alley& alley, QWidget* parent)
     , m_context(context)
     , m_alley(alley)
     , m_scroll(new QScrollArea(this))
-    , m_table(new SheetTable(context, alley)) {
+    , m_table(new ScoreTable(context, alley)) {
     setObjectName(QStringLiteral("scoreSheet"));
     m_scroll->setWidget(m_table);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    connect(m_scroll->verticalScrollBar(), &QScrollBar::valueChanged, m_table, &SheetTable::setTop);
-    connect(m_table, &SheetTable::replayAsked, &alley, &Alley::replay);
-    connect(m_table, &SheetTable::correctionAsked, this, &ScoreSheet::correct);
-    connect(m_table, &SheetTable::cursorMoved, this, &ScoreSheet::bringIntoView);
+    connect(m_scroll->verticalScrollBar(), &QScrollBar::valueChanged, m_table, &ScoreTable::setTop);
+    connect(m_table, &ScoreTable::replayAsked, &alley, &Alley::replay);
+    connect(m_table, &ScoreTable::correctionAsked, this, &ScoreSheet::correct);
+    connect(m_table, &ScoreTable::cursorMoved, this, &ScoreSheet::bringIntoView);
     connect(&alley, &Alley::changed, this, &ScoreSheet::adopt);
     addShortcuts();
     restyle();

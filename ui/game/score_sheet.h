@@ -11,7 +11,7 @@ class QShortcut;
 namespace thetalane {
 
 class FrameEditor;
-class SheetTable;
+class ScoreTable;
 
 // No room is taken while no game is on.
 class ScoreSheet : public Panel {
@@ -38,7 +38,7 @@ private:
     Context m_context;
     Alley& m_alley;
     QScrollArea* m_scroll;
-    SheetTable* m_table;
+    ScoreTable* m_table;
     FrameEditor* m_editor = nullptr; // stands over the lane, so it is the window's
 };
 

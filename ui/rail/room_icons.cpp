@@ -176,7 +176,7 @@ QPainterPath roomIcon(Room room) {
         return statistics();
     case Room::Accuracy:
         return accuracy();
-    case Room::Words:
+    case Room::Glossary:
         return words();
     }
     return {};

@@ -20,7 +20,7 @@ enum class Room {
     Practice,
     Statistics,
     Accuracy,
-    Words, // what they mean, and the keys
+    Glossary, // what the words mean, and the keys
 };
 inline constexpr int roomCount = 13;
 // What they are called on the command line, and in lessons.

@@ -164,7 +164,7 @@ void MainWindow::furnishRooms() {
         return attributes;
     });
     m_rail->furnish(Room::Accuracy, [this](QWidget* parent) { return new LabPanel(m_context, parent); });
-    m_rail->furnish(Room::Words, [this](QWidget* parent) {
+    m_rail->furnish(Room::Glossary, [this](QWidget* parent) {
         return new WordsPanel(
             m_context,
             [this] {
@@ -227,8 +227,8 @@ void MainWindow::enter(Room room) {
 
 void MainWindow::explainTerm() {
     const QString term = m_terms->termOfNow();
-    enter(Room::Words);
-    auto* words = static_cast<WordsPanel*>(m_rail->panel(Room::Words));
+    enter(Room::Glossary);
+    auto* words = static_cast<WordsPanel*>(m_rail->panel(Room::Glossary));
     if (term.isEmpty())
         words->showKeys();
     else
@@ -408,7 +408,7 @@ void MainWindow::retranslate() {
     m_rail->setWords(Room::Chain, tr("Chain"), tr("Who hit whom, as a tree"));
     m_rail->setWords(Room::Map, tr("Map"), tr("The strike map: which throws strike"));
     m_rail->setWords(Room::Practice, tr("Practice"), tr("Spares, and what changes if"));
-    m_rail->setWords(Room::Words, tr("Words"), tr("The terms explained, and the keys (F1)"));
+    m_rail->setWords(Room::Glossary, tr("Words"), tr("The terms explained, and the keys (F1)"));
     m_rail->setWords(Room::Accuracy, tr("Accuracy"), tr("Speed against accuracy, measured"));
 }
 

@@ -11,10 +11,10 @@ class QMenu;
 
 namespace thetalane {
 
-class SheetTable : public QWidget {
+class ScoreTable : public QWidget {
     Q_OBJECT
 public:
-    SheetTable(const Context& context, Alley& alley, QWidget* parent = nullptr);
+    ScoreTable(const Context& context, Alley& alley, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -1,4 +1,4 @@
-#include "ui/game/sheet_table.h"
+#include "ui/game/score_table.h"
 
 #include "ui/game/game_words.h"
 
@@ -13,14 +13,14 @@
 
 namespace thetalane {
 
-SheetTable::SheetTable(const Context& context, Alley& alley, QWidget* parent)
+ScoreTable::ScoreTable(const Context& context, Alley& alley, QWidget* parent)
     : QWidget(parent)
     , m_context(context)
     , m_alley(alley) {
     setObjectName(QStringLiteral("scoreSheetTable"));
     setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the lane
     setMouseTracking(true);
-    connect(&alley, &Alley::changed, this, &SheetTable::adopt);
+    connect(&alley, &Alley::changed, this, &ScoreTable::adopt);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         updateGeometry();
         update();
@@ -29,13 +29,13 @@ SheetTable::SheetTable(const Context& context, Alley& alley, QWidget* parent)
     retranslate();
 }
 
-void SheetTable::retranslate() {
+void ScoreTable::retranslate() {
     setAccessibleName(tr("Score sheet"));
     describe();
     update();
 }
 
-void SheetTable::adopt() {
+void ScoreTable::adopt() {
     const Game& game = m_alley.shown();
     const bool moreRows = m_cards.size() != game.players.size();
     m_cards.clear();
@@ -52,24 +52,24 @@ void SheetTable::adopt() {
     update();
 }
 
-SheetLayout SheetTable::sheetLayout() const {
+SheetLayout ScoreTable::sheetLayout() const {
     return {m_context.appearance, m_alley.shown().rules, m_cards.size(), width()};
 }
 
-QSize SheetTable::sizeHint() const {
+QSize ScoreTable::sizeHint() const {
     return {SheetLayout::leastWidth(m_context.appearance, m_alley.shown().rules), sheetLayout().height()};
 }
 
-QSize SheetTable::minimumSizeHint() const {
+QSize ScoreTable::minimumSizeHint() const {
     return sizeHint();
 }
 
-void SheetTable::setTop(int top) {
+void ScoreTable::setTop(int top) {
     m_top = top;
     update();
 }
 
-SheetContent SheetTable::content() const {
+SheetContent ScoreTable::content() const {
     SheetContent c{m_alley.shown(), m_cards,     m_alley.turn(),
                    std::nullopt,    m_hovered,   std::nullopt,
                    tr("Player"),    tr("Total"), tr("max %1", "the highest possible score")};
@@ -85,7 +85,7 @@ SheetContent SheetTable::content() const {
     return c;
 }
 
-void SheetTable::paintEvent(QPaintEvent*) {
+void ScoreTable::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const SheetLayout layout = sheetLayout();
@@ -95,15 +95,15 @@ void SheetTable::paintEvent(QPaintEvent*) {
         paintSheetHeader(painter, layout, now, m_context.appearance, m_top);
 }
 
-bool SheetTable::isPlayed(const SheetPlace& place) const {
+bool ScoreTable::isPlayed(const SheetPlace& place) const {
     return place.player < m_cards.size() && place.frame < int(m_cards[place.player].frames().size());
 }
 
-bool SheetTable::canReplay(const DeliveryPlace& place) const {
+bool ScoreTable::canReplay(const DeliveryPlace& place) const {
     return m_alley.shown().deliveries[place.player][place.delivery].thrown.has_value();
 }
 
-bool SheetTable::replayRoll(std::size_t player, int frame, int roll) {
+bool ScoreTable::replayRoll(std::size_t player, int frame, int roll) {
     const auto delivery = deliveryAt(m_cards[player], frame, roll, sheetLayout().rollCount(frame));
     if (!delivery || !canReplay({player, *delivery}))
         return false;
@@ -112,7 +112,7 @@ bool SheetTable::replayRoll(std::size_t player, int frame, int roll) {
 }
 
 // A roll that was thrown is shown again; all else of a frame that was played opens the correction.
-void SheetTable::press(const SheetPlace& place) {
+void ScoreTable::press(const SheetPlace& place) {
     m_cursor = {place.player, place.frame, std::nullopt};
     describe();
     update();
@@ -121,13 +121,13 @@ void SheetTable::press(const SheetPlace& place) {
     emit correctionAsked(place.player, place.frame + 1);
 }
 
-void SheetTable::mousePressEvent(QMouseEvent* event) {
+void ScoreTable::mousePressEvent(QMouseEvent* event) {
     const auto place = sheetLayout().at(event->position());
     if (event->button() == Qt::LeftButton && place)
         press(*place);
 }
 
-void SheetTable::mouseMoveEvent(QMouseEvent* event) {
+void ScoreTable::mouseMoveEvent(QMouseEvent* event) {
     auto place = sheetLayout().at(event->position());
     if (place && !isPlayed(*place))
         place.reset();
@@ -138,13 +138,13 @@ void SheetTable::mouseMoveEvent(QMouseEvent* event) {
     update();
 }
 
-void SheetTable::leaveEvent(QEvent* event) {
+void ScoreTable::leaveEvent(QEvent* event) {
     m_hovered.reset();
     update();
     QWidget::leaveEvent(event);
 }
 
-bool SheetTable::moveCursor(int key) {
+bool ScoreTable::moveCursor(int key) {
     SheetPlace to = m_cursor;
     const int player = int(m_cursor.player);
     switch (key) {
@@ -176,14 +176,14 @@ bool SheetTable::moveCursor(int key) {
     return true;
 }
 
-bool SheetTable::usesKey(const QKeyEvent& event) const {
+bool ScoreTable::usesKey(const QKeyEvent& event) const {
     static constexpr int keys[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Home,
                                    Qt::Key_End,  Qt::Key_F2,    Qt::Key_1,  Qt::Key_2,    Qt::Key_3};
     return (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
            std::find(std::begin(keys), std::end(keys), event.key()) != std::end(keys);
 }
 
-void SheetTable::keyPressEvent(QKeyEvent* event) {
+void ScoreTable::keyPressEvent(QKeyEvent* event) {
     if (m_cards.empty() || !usesKey(*event))
         return QWidget::keyPressEvent(event);
     if (event->key() == Qt::Key_F2) {
@@ -195,7 +195,7 @@ void SheetTable::keyPressEvent(QKeyEvent* event) {
 }
 
 // The window's shortcuts give way to the keys that the sheet uses; help is of the frame pointed at.
-bool SheetTable::event(QEvent* event) {
+bool ScoreTable::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && usesKey(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;
@@ -214,7 +214,7 @@ bool SheetTable::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void SheetTable::contextMenuEvent(QContextMenuEvent* event) {
+void ScoreTable::contextMenuEvent(QContextMenuEvent* event) {
     if (m_cards.empty())
         return;
     const bool byMouse = event->reason() == QContextMenuEvent::Mouse;
@@ -226,7 +226,7 @@ void SheetTable::contextMenuEvent(QContextMenuEvent* event) {
                              : mapToGlobal(layout.frame(place->player, place->frame).bottomLeft().toPoint()));
 }
 
-void SheetTable::openMenu(const SheetPlace& place, const QPoint& at) {
+void ScoreTable::openMenu(const SheetPlace& place, const QPoint& at) {
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("frameMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -244,7 +244,7 @@ void SheetTable::openMenu(const SheetPlace& place, const QPoint& at) {
     menu->popup(at);
 }
 
-void SheetTable::describe() {
+void ScoreTable::describe() {
     if (m_cards.empty())
         return setAccessibleDescription({});
     const QString text = frameText(m_alley.shown(), m_cursor.player, m_cursor.frame + 1);
@@ -255,12 +255,12 @@ void SheetTable::describe() {
     QAccessible::updateAccessibility(&event);
 }
 
-void SheetTable::focusInEvent(QFocusEvent* event) {
+void ScoreTable::focusInEvent(QFocusEvent* event) {
     update();
     QWidget::focusInEvent(event);
 }
 
-void SheetTable::focusOutEvent(QFocusEvent* event) {
+void ScoreTable::focusOutEvent(QFocusEvent* event) {
     update();
     QWidget::focusOutEvent(event);
 }

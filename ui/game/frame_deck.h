@@ -9,10 +9,10 @@
 
 namespace thetalane {
 
-class PinDeck : public QWidget {
+class FrameDeck : public QWidget {
     Q_OBJECT
 public:
-    explicit PinDeck(const Appearance& appearance, QWidget* parent = nullptr);
+    explicit FrameDeck(const Appearance& appearance, QWidget* parent = nullptr);
 
     // `present`: those that take part; `standing`: of them. The others are seen as dots.
     void setPins(const PinSet& present, const PinSet& standing);

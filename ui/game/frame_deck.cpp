@@ -1,4 +1,4 @@
-#include "ui/game/pin_deck.h"
+#include "ui/game/frame_deck.h"
 
 #include "ui/game/game_words.h"
 
@@ -10,7 +10,7 @@
 
 namespace thetalane {
 
-PinDeck::PinDeck(const Appearance& appearance, QWidget* parent)
+FrameDeck::FrameDeck(const Appearance& appearance, QWidget* parent)
     : QWidget(parent)
     , m_appearance(appearance) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -18,26 +18,26 @@ PinDeck::PinDeck(const Appearance& appearance, QWidget* parent)
     describe();
 }
 
-void PinDeck::setPins(const PinSet& present, const PinSet& standing) {
+void FrameDeck::setPins(const PinSet& present, const PinSet& standing) {
     m_present = present;
     m_standing = standing;
     describe();
     update();
 }
 
-void PinDeck::setChoosable(bool on) {
+void FrameDeck::setChoosable(bool on) {
     m_choosable = on;
     setFocusPolicy(on ? Qt::StrongFocus : Qt::NoFocus);
     setCursor(on ? Qt::PointingHandCursor : Qt::ArrowCursor);
     describe();
 }
 
-void PinDeck::setTitle(const QString& title) {
+void FrameDeck::setTitle(const QString& title) {
     m_title = title;
     describe();
 }
 
-void PinDeck::describe() {
+void FrameDeck::describe() {
     const QString pins = standingText(m_standing);
     setAccessibleName(m_title.isEmpty() ? pins : m_title + QStringLiteral(": ") + pins);
     setToolTip(m_choosable
@@ -45,17 +45,17 @@ void PinDeck::describe() {
                    : pins);
 }
 
-QSize PinDeck::sizeHint() const {
+QSize FrameDeck::sizeHint() const {
     const int unit = m_appearance.unit();
     return m_choosable ? QSize(14 * unit, 12 * unit) : QSize(11 * unit, 9 * unit + unit / 2);
 }
 
-double PinDeck::radius() const {
+double FrameDeck::radius() const {
     return 0.43 * std::min(width() / 4.0, height() / 3.6);
 }
 
 // The head pin in front, below.
-QPointF PinDeck::centre(int pin) const {
+QPointF FrameDeck::centre(int pin) const {
     const double step = std::min(width() / 4.0, height() / 3.6);
     const Vec2d at = pinPositions()[std::size_t(pin)];
     const double last = 3 * regulation::pinRowSpacing;
@@ -63,7 +63,7 @@ QPointF PinDeck::centre(int pin) const {
             height() / 2.0 - (at.y - last / 2) / regulation::pinSpacing * step};
 }
 
-void PinDeck::paintEvent(QPaintEvent*) {
+void FrameDeck::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double r = radius();
@@ -101,7 +101,7 @@ void PinDeck::paintEvent(QPaintEvent*) {
     }
 }
 
-void PinDeck::mousePressEvent(QMouseEvent* event) {
+void FrameDeck::mousePressEvent(QMouseEvent* event) {
     if (!m_choosable || event->button() != Qt::LeftButton)
         return event->ignore();
     for (int pin = 0; pin < 10; ++pin)
@@ -110,7 +110,7 @@ void PinDeck::mousePressEvent(QMouseEvent* event) {
             return emit chosen(pin);
 }
 
-void PinDeck::keyPressEvent(QKeyEvent* event) {
+void FrameDeck::keyPressEvent(QKeyEvent* event) {
     const int key = event->key();
     const int pin = key == Qt::Key_0 ? 9 : key - Qt::Key_1;
     if (m_choosable && key >= Qt::Key_0 && key <= Qt::Key_9 && m_present[std::size_t(pin)])
@@ -119,7 +119,7 @@ void PinDeck::keyPressEvent(QKeyEvent* event) {
 }
 
 // A digit typed here is no shortcut of the window's.
-bool PinDeck::event(QEvent* event) {
+bool FrameDeck::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && m_choosable) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key >= Qt::Key_0 && key <= Qt::Key_9)
@@ -128,7 +128,7 @@ bool PinDeck::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void PinDeck::changeEvent(QEvent* event) {
+void FrameDeck::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         describe();
     QWidget::changeEvent(event);
