@@ -1,5 +1,6 @@
 #include "core/collision/contact_group.h"
 
+#include "core/collision/least_forces.h"
 #include "core/math/quad.h"
 
 #include <algorithm>
@@ -312,8 +313,16 @@ GroupSolution<Real> solveContacts(std::span<const GroupContact<Real>> contacts,
 template <class Real>
 GroupSolution<Real> solveForces(std::span<const GroupContact<Real>> contacts,
                                 std::span<const Real> inverseMass) {
+    std::vector<Real> g, b;
+    g.reserve(contacts.size() * contacts.size());
+    b.reserve(contacts.size());
+    for (const GroupContact<Real>& k : contacts) {
+        b.push_back(k.demand);
+        for (const GroupContact<Real>& l : contacts)
+            g.push_back(coupling<Real, Real>(k, l, inverseMass));
+    }
     GroupSolution<Real> out;
-    out.impulse = impulsesIn<Real, Real>(contacts, inverseMass, 256 * std::numeric_limits<Real>::epsilon());
+    out.impulse = LeastForces<Real>(std::move(g), std::move(b)).solve();
     out.change.resize(inverseMass.size());
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const auto& c = contacts[k];

@@ -82,7 +82,7 @@ public:
             b.state = onFloor<Real>(p, v, b.state.spin, b.body, floorOf(i));
             b.stretch = nextStretch<Real>(b.state, b.body, floorOf(i));
         }
-        b.push = withoutRounding(push);
+        b.push = b.state.phase == FloorPhase::Rest ? withoutRounding(push) : push;
         if (!(b.push == Vec2<Real>{}))
             limit(b, floorOf(i), b.push, atMost);
         discs.setAcceleration(i, b.stretch.acceleration, now + b.stretch.lasts);
@@ -157,7 +157,7 @@ private:
         return m_bodies[i].body.rolls() ? m_ballFloor : m_pinFloor;
     }
 
-    // Forces that balance leave rounding, which must not press a body anywhere.
+    // Forces that balance leave rounding, which must not press a resting body anywhere.
     Vec2<Real> withoutRounding(const Vec2<Real>& push) const {
         using std::abs;
         const Real least = stopped * m_ballFloor.gravity;

@@ -171,22 +171,23 @@ private:
         const auto& bodies = m_settlement.bodies();
         if constexpr (Models::friction) {
             Pressing<Real> pressing(m_floor, discs(), m_settings.contactTime);
-            m_settlement.reflect(now(), [&](const auto& touch, const auto& v) {
-                return pressing.slowestRebound(m_settlement.touches(), touch, v);
-            });
-            const Real still = pressing.restingSpeed(m_settlement.touches(), m_settlement.velocities());
+            const auto& touches = m_settlement.touches();
+            const auto& velocities = m_settlement.velocities();
+            m_settlement.reflect(now(),
+                                 [&](const auto& v) { return pressing.slowestRebound(bodies, touches, v); });
+            const Real still = pressing.restingSpeed(bodies, touches, velocities);
             m_settlement.stopBelow(still);
             for (Index k = 0; k < bodies.size(); ++k)
-                m_floor.calm(bodies[k], m_settlement.velocities()[k], still);
-            pressing.solve(bodies, m_settlement.touches(), m_settlement.velocities());
+                m_floor.calm(bodies[k], velocities[k], still);
+            pressing.solve(bodies, touches, velocities);
+            keepTogether(pressing);
             hold(pressing);
-            if (m_clock.isStuck(discs().count()))
-                for (const auto& touch : m_settlement.touches())
-                    m_around.held().hold(touch.name, now());
+            if (m_clock.isStuck(discs().count(), m_settings.contactTime))
+                return standStill();
             for (Index k = 0; k < bodies.size(); ++k)
                 goOn(bodies[k], m_settlement.velocities()[k], pressing.pushes()[k], pressing.holdsFor());
         } else {
-            m_settlement.reflect(now(), [](const auto&, const auto&) { return Real(0); });
+            m_settlement.reflect(now(), [](const auto&) { return Real(0); });
             for (Index k = 0; k < bodies.size(); ++k)
                 discs().setVelocity(bodies[k], m_settlement.velocities()[k]);
         }
@@ -250,6 +251,37 @@ private:
                 m_around.inPlay(i))
                 leavePlay(i, Place::Gutter);
         m_floor.begin(discs(), i, m_clock.now(), m_around.inPlay(i), push, atMost);
+    }
+
+    // What rounding alone would keep busy without end rests where it is.
+    void standStill() {
+        m_settlement.standStill();
+        for (const auto& touch : m_settlement.touches())
+            m_around.held().hold(touch.name, now());
+        for (const Index b : m_settlement.bodies()) {
+            m_floor.calm(b, {}, std::numeric_limits<Real>::infinity());
+            goOn(b, {}, {}, Real(0));
+            if (m_recorder.keepsDetail())
+                record(b);
+        }
+        m_search.changedCourse(m_around, std::span<const Index>(m_settlement.bodies()), m_clock.now());
+    }
+
+    // Balls that roll go on rolling.
+    void keepTogether(Pressing<Real>& pressing) {
+        if (pressing.pressed().empty())
+            return;
+        const auto& bodies = m_settlement.bodies();
+        const auto& velocities = m_settlement.velocities();
+        std::vector<Index> rolling;
+        for (Index k = 0; k < bodies.size(); ++k)
+            if (m_floor.slowness(bodies[k], velocities[k]) > Real(1))
+                rolling.push_back(k);
+        if (!m_settlement.keepTogether(pressing.pressed(), pressing.inverseMasses(bodies, velocities)))
+            return;
+        for (const Index k : rolling)
+            m_floor.calm(bodies[k], velocities[k], std::numeric_limits<Real>::infinity());
+        pressing.solve(bodies, m_settlement.touches(), velocities);
     }
 
     void hold(const Pressing<Real>& pressing) {

@@ -27,14 +27,16 @@ public:
 
     // A contact that would part no faster than this would be back within the contact time; 0 if nothing
     // presses it. Among several, one may be pressed by what presses another.
-    Real slowestRebound(const Touches& touches, const Touch<Real>& t, const Velocities& v) const {
-        const Real closing = touches.size() > 1 ? strongest(touches, v) : Real(-acceleration(t, v));
+    Real slowestRebound(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
+        lookAt(bodies, touches, v);
+        const Real closing = touches.size() > 1 ? strongest(touches) : Real(-acceleration(touches[0], v));
         return closing > Real(0) ? Real(closing * m_contactTime / 2) : Real(0);
     }
 
     // What friction would stop within a thousandth of the contact time is at rest [m/s].
-    Real restingSpeed(const Touches& touches, const Velocities& v) const {
-        return strongest(touches, v) * m_contactTime * Real(1e-3f);
+    Real restingSpeed(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
+        lookAt(bodies, touches, v);
+        return strongest(touches) * m_contactTime * Real(1e-3f);
     }
 
     // The forces of a cluster whose bodies have velocities v. pushes(): each body's acceleration by them;
@@ -43,9 +45,12 @@ public:
         m_pushes.assign(bodies.size(), {});
         m_pressed.clear();
         m_holdsFor = Real(longestHold);
-        if (touches.empty() || !anyPressed(touches, v))
+        if (touches.empty())
             return;
-        const Real slow = strongest(touches, v) * m_contactTime / 2;
+        lookAt(bodies, touches, v);
+        if (!anyPressed(touches, v))
+            return;
+        const Real slow = strongest(touches) * m_contactTime / 2;
         for (Index k = 0; k < touches.size(); ++k)
             if (const Real u = opening(touches[k], v); u <= slow && -u <= slow)
                 m_pressed.push_back(k);
@@ -57,7 +62,13 @@ public:
     const std::vector<Index>& pressed() const { return m_pressed; }
     const Real& holdsFor() const { return m_holdsFor; }
 
+    // As the floor lets them be moved: not at all where they are at rest.
+    std::vector<Real> inverseMasses(const std::vector<Index>& bodies, const Velocities& v) const {
+        return inverseMasses(bodies, v, resting(bodies, v));
+    }
+
 private:
+    using Contacts = std::vector<GroupContact<Real>>;
     static constexpr double longestHold = 5e-3; // s
     static constexpr double creeping = 1e-13;   // of a contact's Z
 
@@ -72,13 +83,22 @@ private:
     Real across(const Touch<Real>& t, const Velocities& v) const {
         return cross(t.normal(), between(t, v, {}));
     }
-    Vec2<Real> frictionOf(Index body, const Vec2<Real>& v) const {
-        return m_floor.frictionAt(body, m_discs.position(body), v);
+    // What friction does to each body that touches another, which is asked for again and again.
+    void lookAt(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
+        m_friction.resize(bodies.size());
+        m_seen.assign(bodies.size(), false);
+        const auto look = [&](Index b) {
+            if (!m_seen[b])
+                m_friction[b] = m_floor.frictionAt(bodies[b], m_discs.position(bodies[b]), v[b]);
+            m_seen[b] = true;
+        };
+        for (const Touch<Real>& t : touches) {
+            look(t.first);
+            if (!t.name.isWall())
+                look(t.second);
+        }
     }
-    Vec2<Real> relativeFriction(const Touch<Real>& t, const Velocities& v) const {
-        const Vec2<Real> first = frictionOf(t.name.first, v[t.first]);
-        return t.name.isWall() ? first : first - frictionOf(t.name.second, v[t.second]);
-    }
+    Vec2<Real> relativeFriction(const Touch<Real>& t) const { return between(t, m_friction, {}); }
     // How the opening changes: w²/Z for two discs, whose line of centres turns.
     Real turning(const Touch<Real>& t, const Velocities& v) const {
         if (t.name.isWall())
@@ -87,24 +107,22 @@ private:
         return w * w / t.contact.Z;
     }
     Real acceleration(const Touch<Real>& t, const Velocities& v) const {
-        return dot(t.normal(), relativeFriction(t, v)) + turning(t, v);
+        return dot(t.normal(), relativeFriction(t)) + turning(t, v);
     }
 
     // The largest difference that friction makes between two that touch [m/s²].
-    Real strongest(const Touches& touches, const Velocities& v) const {
+    Real strongest(const Touches& touches) const {
         Real most(0);
         for (const Touch<Real>& t : touches)
-            most = std::max(most, norm(relativeFriction(t, v)));
+            most = std::max(most, norm(relativeFriction(t)));
         return most;
     }
 
-    // By friction alone, by more than rounding, and not about to part.
+    // By friction alone, be it by rounding, or the contact would be met again at once; and not about to part.
     bool anyPressed(const Touches& touches, const Velocities& v) const {
         return std::any_of(touches.begin(), touches.end(), [&](const Touch<Real>& t) {
-            const Vec2<Real> a = relativeFriction(t, v);
-            const Real closing = -(dot(t.normal(), a) + turning(t, v));
-            return closing > 65536 * std::numeric_limits<Real>::epsilon() * norm(a) &&
-                   2 * opening(t, v) <= closing * m_contactTime;
+            const Real closing = -acceleration(t, v);
+            return closing > Real(0) && 2 * opening(t, v) <= closing * m_contactTime;
         });
     }
 
@@ -119,7 +137,7 @@ private:
             return std::max(Real(t.contact.Z * creeping / creep), least);
         if (t.name.isWall())
             return Real(longestHold);
-        const Real Z = t.contact.Z, w = across(t, v), b = norm(relativeFriction(t, v));
+        const Real Z = t.contact.Z, w = across(t, v), b = norm(relativeFriction(t));
         const Real growth = (w * w * w * w / (Z * Z) + b * b) / (8 * Z);
         if (!(growth > Real(0)))
             return Real(longestHold);
@@ -131,19 +149,34 @@ private:
     // centres goes on turning depends on the forces themselves: a few rounds settle that.
     void find(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
         m_loose.assign(bodies.size(), {});
-        std::vector<bool> held(bodies.size());
-        for (Index b = 0; b < bodies.size(); ++b)
-            held[b] = m_floor.wouldRest(bodies[b], v[b]);
+        std::vector<bool> held = resting(bodies, v);
         m_settled.assign(bodies.size(), false);
         GroupSolution<Real> solution;
+        Contacts asked;
         for (int round = 0; round < 4;) {
-            solution = solveForces<Real>(demands(touches, v), inverseMasses(bodies, v, held));
+            Contacts contacts = demands(touches, v);
+            if (round > 0 && sameDemands(contacts, asked))
+                break; // and the same answer
+            asked = std::move(contacts);
+            solution = solveForces<Real>(asked, inverseMasses(bodies, v, held));
             for (Index b = 0; b < bodies.size(); ++b)
                 m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
             const bool changed = loosen(bodies, touches, solution.impulse, held) || stick(held);
             round = changed ? 0 : round + 1;
         }
-        keepThoseThatPush(solution.impulse);
+        keepThoseThatLast(solution.impulse, touches, v);
+    }
+
+    std::vector<bool> resting(const std::vector<Index>& bodies, const Velocities& v) const {
+        std::vector<bool> out(bodies.size());
+        for (Index b = 0; b < bodies.size(); ++b)
+            out[b] = m_floor.wouldRest(bodies[b], v[b]);
+        return out;
+    }
+
+    static bool sameDemands(const Contacts& a, const Contacts& b) {
+        return std::equal(a.begin(), a.end(), b.begin(),
+                          [](const auto& x, const auto& y) { return x.demand == y.demand; });
     }
 
     // One that gave way, yet is not moved the way it was pushed, held still after all: true if there is one.
@@ -161,17 +194,16 @@ private:
     // By how much each gap would open: the acceleration now; what brings a gap that has drifted back to
     // nothing by the end of the hold; and, where the turning slows (w b < 0), what keeps the gap from closing
     // as it does.
-    std::vector<GroupContact<Real>> demands(const Touches& touches, const Velocities& v) const {
-        std::vector<GroupContact<Real>> contacts;
+    Contacts demands(const Touches& touches, const Velocities& v) const {
+        Contacts contacts;
         for (const Index k : m_pressed) {
             const Touch<Real>& t = touches[k];
             Real demand =
                 acceleration(t, v) + opening(t, v) / m_holdsFor + dot(t.normal(), between(t, m_loose, {}));
             if (!t.name.isWall()) {
-                const Real drift =
-                    t.contact.Z - m_discs.radiusOf(t.name.first) - m_discs.radiusOf(t.name.second);
+                const Real drift = driftOf(t);
                 const Real slowing =
-                    across(t, v) * cross(t.normal(), relativeFriction(t, v) + between(t, m_pushes, {}));
+                    across(t, v) * cross(t.normal(), relativeFriction(t) + between(t, m_pushes, {}));
                 demand += 2 * drift / (m_holdsFor * m_holdsFor);
                 if (slowing < Real(0))
                     demand += slowing * m_holdsFor / t.contact.Z;
@@ -180,6 +212,15 @@ private:
                 {t.first, t.name.isWall() ? GroupContact<Real>::wall : t.second, t.normal(), demand});
         }
         return contacts;
+    }
+
+    // By how much a gap has opened; what is rounding is no drift, and not worth a force.
+    Real driftOf(const Touch<Real>& t) const {
+        using std::abs;
+        const Vec2<Real> p = m_discs.position(t.name.first);
+        const Real drift = t.contact.Z - m_discs.radiusOf(t.name.first) - m_discs.radiusOf(t.name.second);
+        const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (abs(p.x) + abs(p.y) + t.contact.Z);
+        return drift > -rounding && drift < rounding + t.contact.Z * creeping ? Real(0) : drift;
     }
 
     std::vector<Real> inverseMasses(const std::vector<Index>& bodies, const Velocities& v,
@@ -216,17 +257,28 @@ private:
         return false;
     }
 
-    void keepThoseThatPush(const std::vector<Real>& forces) {
+    void keepThoseThatLast(const std::vector<Real>& forces, const Touches& touches, const Velocities& v) {
         Index kept = 0;
+        const Real rounding = strongest(touches) * Real(1e-10f);
         for (Index k = 0; k < m_pressed.size(); ++k)
-            if (forces[k] > Real(0))
+            if (forces[k] > Real(0) || isBalanced(touches[m_pressed[k]], v, rounding))
                 m_pressed[kept++] = m_pressed[k];
         m_pressed.resize(kept);
+    }
+
+    // The others' forces leave a contact neither pressed nor parting; it would be met again at once.
+    bool isBalanced(const Touch<Real>& t, const Velocities& v, const Real& rounding) const {
+        const auto isPushed = [&](Index b) { return norm(m_pushes[b]) > 1024 * rounding; };
+        return (isPushed(t.first) || (!t.name.isWall() && isPushed(t.second))) &&
+               opening(t, v) * m_holdsFor <= t.contact.Z * creeping &&
+               acceleration(t, v) + dot(t.normal(), between(t, m_pushes, {})) <= rounding;
     }
 
     const FloorMotion<Real>& m_floor;
     const Discs& m_discs;
     Real m_contactTime;
+    Velocities m_friction;
+    std::vector<bool> m_seen;
     Velocities m_pushes;
     Velocities m_loose;          // friction on those that gave way
     std::vector<bool> m_settled; // those that did not, after all

@@ -29,10 +29,12 @@ public:
         return again;
     }
 
-    // Events without end at one instant, which only rounding can make: what touches is then held as it is.
-    bool isStuck(std::size_t bodies) {
-        m_eventsNow = m_now == m_stuckAt ? m_eventsNow + 1 : 0;
-        m_stuckAt = m_now;
+    // Events without end within a millionth of the contact time, which only rounding can make.
+    bool isStuck(std::size_t bodies, double contactTime) {
+        const bool still = m_now - m_stuckAt <= contactTime * 1e-6;
+        m_eventsNow = still ? m_eventsNow + 1 : 0;
+        if (!still)
+            m_stuckAt = m_now;
         return m_eventsNow > 64 * bodies;
     }
 

@@ -43,12 +43,12 @@ public:
     const std::vector<Touch<Real>>& touches() const { return m_cluster.touches(); }
     const Velocities& velocities() const { return m_velocities; }
 
-    // Passes until none approaches. `slowestRebound(touch, velocities)`: a contact that would part no faster
-    // lasts, and so does not bounce.
+    // Passes until none approaches. `slowestRebound(velocities)`: a contact that would part no faster lasts,
+    // and so does not bounce.
     template <class SlowestRebound> void reflect(double time, SlowestRebound&& slowestRebound) {
         const int most = passesPerBody * int(m_ties ? m_cluster.bodies().size() : m_cluster.touches().size());
         for (int pass = 1; planApproaching(); ++pass) {
-            if ((pass > most && losesEnergy()) || endsAtOnce())
+            if ((pass > most && losesEnergy()) || endsAtOnce() || allLast(slowestRebound))
                 return closeAll(time, slowestRebound);
             apply();
             if (stopBouncing(slowestRebound))
@@ -59,30 +59,43 @@ public:
     }
 
     // Slower bodies are held by the floor; whoever still comes upon them is stopped by them, without bounce.
+    // Where that leaves one between them no way out, only those whose speed is rounding.
     void stopBelow(const Real& speed) {
-        m_after = m_velocities;
-        bool stopped = false;
-        std::vector<Real> inverseMass;
-        for (Index b = 0; b < m_velocities.size(); ++b) {
-            const bool stops = norm(m_velocities[b]) < speed;
-            stopped |= stops;
-            inverseMass.push_back(stops ? Real(0) : Real(1 / m_search.discs().massOf(m_cluster.bodies()[b])));
-            if (stops)
-                m_velocities[b] = {};
+        if (!stopsBelow(speed))
+            stopsBelow(std::min(speed, Real(4096 * std::numeric_limits<Real>::epsilon() * fastest())));
+    }
+
+    // What lasts does not part: where another contact's impulse has parted two that are pressed together, for
+    // less than the contact time, or they creep upon each other, they go on with one speed along their
+    // normal. `inverseMass`: of the bodies, so that kinetic energy falls, as in every pass without bounce.
+    // False if all do so anyway.
+    bool keepTogether(const std::vector<Index>& pressed, const std::vector<Real>& inverseMass) {
+        using std::abs;
+        Real most(0);
+        const Real rounding = 1024 * std::numeric_limits<Real>::epsilon() * fastest();
+        std::vector<GroupContact<Real>> contacts;
+        const auto& touches = m_cluster.touches();
+        for (Index k = 0; k < touches.size(); ++k) {
+            const Touch<Real>& t = touches[k];
+            const Index second = t.name.isWall() ? GroupContact<Real>::wall : t.second;
+            contacts.push_back({t.first, second, t.normal(), opening(t)});
+            if (std::find(pressed.begin(), pressed.end(), k) == pressed.end())
+                continue;
+            most = std::max(most, Real(abs(opening(t))));
+            contacts.push_back({t.first, second, t.normal() * Real(-1), -opening(t)});
         }
-        if (!stopped || !planApproaching())
-            return;
-        planAll();
-        const auto contacts = plannedContacts();
+        if (!(most > rounding))
+            return false;
         const auto solution = solveForces<Real>(contacts, inverseMass);
         for (Index b = 0; b < m_velocities.size(); ++b)
             m_velocities[b] = m_velocities[b] + solution.change[b];
-        const Real scale = largestDemand<Real>(contacts);
-        // Between bodies that are stopped there may be no way out: then none is.
-        if (std::any_of(contacts.begin(), contacts.end(),
-                        [&](const auto& c) { return isUnmet<Real>(c, solution, scale); }))
-            m_velocities = m_after;
+        for (const Index k : pressed) // along a wall exactly
+            if (const Touch<Real>& t = touches[k]; t.name.isWall() && abs(opening(t)) <= rounding)
+                m_velocities[t.first] = m_velocities[t.first] - t.normal() * opening(t);
+        return true;
     }
+
+    void standStill() { m_velocities.assign(m_velocities.size(), {}); }
 
     static constexpr int passesPerBody = 32;
 
@@ -96,6 +109,32 @@ private:
         bool lasts = false; // it does not bounce, and
         bool meets = true;  // was not in contact before
     };
+
+    bool stopsBelow(const Real& speed) {
+        m_after = m_velocities;
+        bool stopped = false;
+        std::vector<Real> inverseMass;
+        for (Index b = 0; b < m_velocities.size(); ++b) {
+            const bool stops = norm(m_velocities[b]) < speed;
+            stopped |= stops;
+            inverseMass.push_back(stops ? Real(0) : Real(1 / m_search.discs().massOf(m_cluster.bodies()[b])));
+            if (stops)
+                m_velocities[b] = {};
+        }
+        if (!stopped || !planApproaching())
+            return true;
+        planAll();
+        const auto contacts = plannedContacts();
+        const auto solution = solveForces<Real>(contacts, inverseMass);
+        for (Index b = 0; b < m_velocities.size(); ++b)
+            m_velocities[b] = m_velocities[b] + solution.change[b];
+        const Real scale = std::max(largestDemand<Real>(contacts), fastest());
+        const bool unmet = std::any_of(contacts.begin(), contacts.end(),
+                                       [&](const auto& c) { return isUnmet<Real>(c, solution, scale); });
+        if (unmet)
+            m_velocities = m_after;
+        return !unmet;
+    }
 
     Vec2<Real> relativeVelocity(const Touch<Real>& t, const Velocities& v) const {
         return t.name.isWall() ? v[t.first] : v[t.first] - v[t.second];
@@ -137,6 +176,19 @@ private:
                std::all_of(m_plan.begin(), m_plan.end(), [](auto& p) { return p.restitution == Real(0); });
     }
 
+    // Nor does any bounce where whatever contact takes up the fastest approach would last.
+    template <class SlowestRebound> bool allLast(SlowestRebound&& slowestRebound) const {
+        const auto& touches = m_cluster.touches();
+        if (!Models::friction || !m_ties || touches.size() < 2)
+            return false;
+        Real approach(0), restitution(0);
+        for (const Planned& p : m_plan)
+            approach = std::max(approach, Real(-p.opening));
+        for (const Touch<Real>& t : touches)
+            restitution = std::max(restitution, t.restitution);
+        return restitution * approach < slowestRebound(m_velocities);
+    }
+
     std::vector<GroupContact<Real>> plannedContacts() const {
         std::vector<GroupContact<Real>> contacts;
         for (const Planned& p : m_plan) {
@@ -146,6 +198,13 @@ private:
                 {t.first, t.name.isWall() ? GroupContact<Real>::wall : t.second, t.normal(), demand});
         }
         return contacts;
+    }
+
+    std::vector<Real> inverseMasses() const {
+        std::vector<Real> out;
+        for (const Index b : m_cluster.bodies())
+            out.push_back(1 / m_search.discs().massOf(b));
+        return out;
     }
 
     // All contacts, without bounce.
@@ -160,12 +219,9 @@ private:
     void apply() {
         if (m_plan.size() == 1)
             return applyAlone();
-        std::vector<Real> inverseMass;
-        for (const Index b : m_cluster.bodies())
-            inverseMass.push_back(1 / m_search.discs().massOf(b));
         // With friction there are many, and what is symmetric need not be so to the last bit.
-        const auto solution = Models::friction ? solveForces<Real>(plannedContacts(), inverseMass)
-                                               : solveContacts<Real>(plannedContacts(), inverseMass);
+        const auto solution = Models::friction ? solveForces<Real>(plannedContacts(), inverseMasses())
+                                               : solveContacts<Real>(plannedContacts(), inverseMasses());
         for (Index k = 0; k < m_plan.size(); ++k)
             m_plan[k].impulse = solution.impulse[k];
         m_after = m_velocities;
@@ -187,10 +243,12 @@ private:
 
     template <class SlowestRebound> bool stopBouncing(SlowestRebound&& slowestRebound) {
         bool changed = false;
+        const Real slowest = slowestRebound(m_after);
+        if (!(slowest > Real(0)))
+            return false;
         for (Planned& p : m_plan) {
             const Touch<Real>& t = m_cluster.touches()[p.touch];
-            const Real slowest = slowestRebound(t, m_after);
-            if (!(slowest > Real(0)) || dot(t.normal(), relativeVelocity(t, m_after)) > slowest)
+            if (dot(t.normal(), relativeVelocity(t, m_after)) > slowest)
                 continue;
             changed |= p.restitution > Real(0);
             p.restitution = Real(0);
@@ -201,11 +259,10 @@ private:
     }
 
     template <class SlowestRebound> void closeAll(double time, SlowestRebound&& slowestRebound) {
-        const auto& touches = m_cluster.touches();
         planAll();
         apply();
+        const Real slowest = slowestRebound(m_after);
         for (Planned& p : m_plan) {
-            const Real slowest = slowestRebound(touches[p.touch], m_after);
             p.lasts = slowest > Real(0);
             p.meets = !p.lasts || -p.opening > slowest;
         }
@@ -215,13 +272,18 @@ private:
         m_velocities = m_after;
     }
 
-    // What came to rest but for rounding is at rest.
-    void stopTheRest() {
+    Real fastest() const {
         using std::abs;
         Real most(0);
         for (const Vec2<Real>& v : m_velocities)
             most = std::max({most, Real(abs(v.x)), Real(abs(v.y))});
-        const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * most;
+        return most;
+    }
+
+    // What came to rest but for rounding is at rest.
+    void stopTheRest() {
+        using std::abs;
+        const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * fastest();
         for (Vec2<Real>& v : m_after)
             v = {abs(v.x) > rounding ? v.x : Real(0), abs(v.y) > rounding ? v.y : Real(0)};
     }

@@ -21,7 +21,8 @@ struct Health {
     double deepest = -1; // overlap [m]
     double gained = 0;   // energy, between two of the looks, of what there was at the start
     std::size_t events = 0;
-    bool ended = true;
+    bool ended = true; // and finite
+    bool finite = true;
 };
 
 inline Health healthOf(const Scene& scene, const Timeline& timeline, int looks) {
@@ -34,12 +35,13 @@ inline Health healthOf(const Scene& scene, const Timeline& timeline, int looks) 
         h.deepest = std::max(h.deepest, deepestOverlap(scene, states));
         h.gained = std::max(h.gained, (now - last) / start);
         last = now;
-        if (!std::isfinite(now))
-            h.ended = false;
+        h.finite = h.finite && std::isfinite(now);
+        for (const BodyState& b : states)
+            h.finite = h.finite && std::isfinite(b.position.x) && std::isfinite(b.position.y);
     }
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
         h.events += timeline.segments(b).size();
-    h.ended = h.ended && timeline.endReason() != EndReason::MaxCollisions;
+    h.ended = h.finite && timeline.endReason() != EndReason::MaxCollisions;
     return h;
 }
 
