@@ -65,6 +65,15 @@ public:
             stopsBelow(std::min(speed, Real(4096 * std::numeric_limits<Real>::epsilon() * fastest())));
     }
 
+    // Demands that cannot all be met are shared, and such a compromise may be none that energy allows.
+    bool gainsEnergy(const Velocities& change, const std::vector<Real>& inverseMass) const {
+        Real gain(0);
+        for (Index b = 0; b < m_velocities.size(); ++b)
+            if (inverseMass[b] > Real(0))
+                gain += dot(change[b], m_velocities[b] + m_velocities[b] + change[b]) / inverseMass[b];
+        return gain > Real(0);
+    }
+
     // What lasts does not part: where another contact's impulse has parted two that are pressed together, for
     // less than the contact time, or they creep upon each other, they go on with one speed along their
     // normal. `inverseMass`: of the bodies, so that kinetic energy falls, as in every pass without bounce.
@@ -87,6 +96,8 @@ public:
         if (!(most > rounding))
             return false;
         const auto solution = solveForces<Real>(contacts, inverseMass);
+        if (gainsEnergy(solution.change, inverseMass))
+            return false;
         for (Index b = 0; b < m_velocities.size(); ++b)
             m_velocities[b] = m_velocities[b] + solution.change[b];
         for (const Index k : pressed) // along a wall exactly

@@ -137,7 +137,7 @@ private slots:
             QTest::qWait(7 + 13 * round);
             saver.kill();
             QVERIFY(saver.waitForFinished());
-            QVERIFY(std::holds_alternative<Scene>(loadScene(path)));
+            QVERIFY(std::holds_alternative<Scene>(readSceneFile(path)));
         }
     }
 
@@ -208,7 +208,7 @@ private slots:
         answer("saveChanges");
         QCOMPARE(done, 2);
         QVERIFY(!b.desk.isModified());
-        QCOMPARE(writeScene(std::get<Scene>(loadScene(place("asked.json")))), edited);
+        QCOMPARE(writeScene(std::get<Scene>(readSceneFile(place("asked.json")))), edited);
         b.drag(b.body(A).position, {-0.3, 0.3});
         flow.openNew();
         answer("discardChanges");

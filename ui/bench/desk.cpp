@@ -245,7 +245,7 @@ void Desk::startAgain(const QString& file) {
 }
 
 bool Desk::open(const QString& path) {
-    const auto loaded = loadScene(path);
+    const auto loaded = readSceneFile(path);
     if (const Words* why = std::get_if<Words>(&loaded)) {
         emit failed(*why);
         return false;

@@ -67,7 +67,7 @@ Words saveWhole(const QString& path, const QByteArray& bytes) {
     };
 }
 
-std::variant<Scene, Words> loadScene(const QString& path) {
+std::variant<Scene, Words> readSceneFile(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))

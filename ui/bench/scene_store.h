@@ -21,7 +21,7 @@ using Words = std::function<QString()>;
 // The reason why not; nothing when done.
 Words saveWhole(const QString& path, const QByteArray& bytes);
 
-std::variant<Scene, Words> loadScene(const QString& path);
+std::variant<Scene, Words> readSceneFile(const QString& path);
 
 // Edits that were not saved when the program ended.
 struct Unsaved {

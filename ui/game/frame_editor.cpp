@@ -1,7 +1,7 @@
 #include "ui/game/frame_editor.h"
 
-#include "ui/game/game_words.h"
 #include "ui/game/frame_deck.h"
+#include "ui/game/game_words.h"
 #include "ui/words/game_text.h"
 
 #include <QGridLayout>
@@ -171,14 +171,14 @@ void FrameEditor::showDraft() {
         m_decks[k]->setVisible(shown);
         m_decks[k]->setEnabled(turn && turn->pins);
         const bool thrown = ball < int(m_draft.deliveries().size());
-        const Delivery d = thrown ? m_draft.deliveries()[k] : Delivery{};
-        const bool known = turn && turn->pins && (!thrown || d.down);
-        m_names[k]->setText(!thrown ? tr("Ball %1").arg(ball + 1)
-                            : known ? tr("Ball %1: %2").arg(ball + 1).arg(d.pins)
-                                    : tr("Ball %1: %2, pins not known").arg(ball + 1).arg(d.pins));
+        const Delivery* d = thrown ? &m_draft.deliveries()[k] : nullptr;
+        const bool known = turn && turn->pins && (!d || d->down);
+        m_names[k]->setText(!d      ? tr("Ball %1").arg(ball + 1)
+                            : known ? tr("Ball %1: %2").arg(ball + 1).arg(d->pins)
+                                    : tr("Ball %1: %2, pins not known").arg(ball + 1).arg(d->pins));
         m_decks[k]->setTitle(m_names[k]->text());
         const PinSet met = turn && turn->pins ? *turn->pins : PinSet{};
-        m_decks[k]->setPins(met, d.down ? met & ~*d.down : met);
+        m_decks[k]->setPins(met, d && d->down ? met & ~*d->down : met);
     }
     showMessage();
     if (isVisible())

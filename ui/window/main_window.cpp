@@ -13,6 +13,7 @@
 #include "ui/lab/lab_panel.h"
 #include "ui/lane/lane_panel.h"
 #include "ui/lane/lane_scene.h"
+#include "ui/lane/lane_view.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/map/map_panel.h"
 #include "ui/panels/bodies_panel.h"
