@@ -436,7 +436,7 @@ private slots:
             useLanguage(m_language, true);
             QVERIFY(textsOf(*panel) != english);
             // Ids, symbols, units and the names on keys are the same in every language.
-            static const QRegularExpression same("\\b(ball|kg|km|lb|rad|rpm|Ctrl|Home|End)\\b");
+            static const QRegularExpression same("\\b(ball|kg|km|lb|mph|rad|rpm|Ctrl|Shift|Home|End)\\b");
             static const QRegularExpression word("[A-Za-z]{2,}");
             for (QString text : textsOf(*panel)) {
                 const QString original = text;

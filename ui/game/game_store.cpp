@@ -55,7 +55,8 @@ QString GameStore::save(const QString& path, const Game& game) const {
     if (!file.open(QIODevice::WriteOnly))
         return file.errorString();
     file.write(writeGame(game));
-    return file.commit() ? QString() : file.errorString();
+    // commit() alone may rename a file whose last bytes found no room
+    return file.flush() && file.commit() ? QString() : file.errorString();
 }
 
 const std::vector<SavedGame>& GameStore::list() {

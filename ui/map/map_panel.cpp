@@ -326,7 +326,8 @@ bool MapPanel::savePicture(const QString& path) {
 // Whole, or not at all: under another name first, then renamed.
 bool MapPanel::save(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
-    const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    const bool done =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName(), why = done ? QString() : file.errorString();
     m_saved = [done, name, why] {
         return done ? tr("Saved: %1").arg(name) : tr("%1 cannot be written: %2").arg(name, why);

@@ -33,7 +33,7 @@ namespace {
 // Empty, or why not: whole or not at all.
 QString writeWhole(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit())
         return {};
     return file.errorString();
 }

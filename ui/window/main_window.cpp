@@ -348,6 +348,7 @@ void MainWindow::showPanelsFor(const Run& run) {
     for (const Room room : {Room::Map, Room::Practice})
         m_rail->setOffered(room, hasPins);
     const bool isThrow = run.scene.lane && m_context.session.currentThrow();
+    m_rail->setOffered(Room::Statistics, m_alley->isOn() || isThrow);
     if (isThrow == m_isThrow)
         return;
     m_isThrow = isThrow;

@@ -83,6 +83,7 @@ void TopBar::retranslate() {
     m_dark->setText(tr("Dark (D)"));
     m_stillness->setText(tr("Less motion: nothing flies or turns by itself"));
     m_projector->setText(tr("Projector"));
+    m_projector->setAccessibleName(tr("Projector"));
     m_projector->setToolTip(tr("Large type and lines for a projector (F11)"));
     m_korean->setText("한국어");
     m_english->setText("English");
@@ -98,12 +99,24 @@ void TopBar::restyle() {
     m_row->setContentsMargins(u, u / 2, u, u / 2);
     m_row->setSpacing(u);
     m_projector->setChecked(look.projector());
+    shorten();
     m_dark->setChecked(look.dark());
     m_stillness->setChecked(look.reducedMotion());
     m_view->setIcon(makeIcon(Icon::Moon, look.text(), look.quietText()));
     m_view->setIconSize(QSize(2 * u, 2 * u));
     m_projector->setIcon(makeIcon(Icon::Projector, look.text(), look.quietText()));
     m_projector->setIconSize(QSize(2 * u, 2 * u));
+}
+
+// Where the bar is short, the icon says it: the scene and the engine need their words more.
+void TopBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    shorten();
+}
+
+void TopBar::shorten() {
+    const bool isShort = width() < 120 * m_context.appearance.unit();
+    m_projector->setToolButtonStyle(isShort ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
 }
 
 void TopBar::changeEvent(QEvent* event) {

@@ -30,11 +30,13 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void retranslate();
     void restyle();
     void buildViewMenu();
+    void shorten();
 
     Context m_context;
     Language& m_language;

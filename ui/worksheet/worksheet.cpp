@@ -52,7 +52,7 @@ QByteArray worksheetPdf(const WorksheetSubject& subject) {
 QString writeWorksheet(const QString& path, const WorksheetSubject& subject) {
     const QByteArray pdf = worksheetPdf(subject);
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size() && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size() && file.flush() && file.commit())
         return {};
     return file.errorString();
 }
