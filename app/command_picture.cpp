@@ -103,6 +103,7 @@ std::variant<int, PictureRequest> readPictureCall(const Call& call) {
                  PictureText::tr("opens the accuracy lab on its question 1 to 6, measured here and now"));
     a.takesValue("size", "WxH", PictureText::tr("of the picture, in pixels; 1280x800 unless said"));
     a.takesValue("panel", "NAME", PictureText::tr("the panel to open: %1").arg(roomList()));
+    a.takesValue("game", "FILE", PictureText::tr("a saved game to go on with"));
     a.takesFlag("projector", PictureText::tr("larger, for the back row of a class"));
     a.takesFlag("dark", PictureText::tr("light on dark"));
     if (const auto status = a.read(call.arguments))
@@ -112,6 +113,7 @@ std::variant<int, PictureRequest> readPictureCall(const Call& call) {
     request.window.language = call.language;
     request.window.projector = a.has("projector");
     request.window.dark = a.has("dark");
+    request.game = a.value("game");
     if (a.has("panel"))
         request.room = Room{a.choice("panel", 0, roomIds)};
     request.output = outputOption(a);

@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/off_screen.h"
 #include "ui/application_icon.h"
+#include "ui/game/alley.h"
 #include "ui/lab/lab_plan.h"
 #include "ui/window/main_window.h"
 
@@ -124,6 +125,9 @@ int drawPicture(int& argc, char** argv, const PictureRequest& request) {
         app.session.waitFor(request.at);
         app.playhead.setTime(request.at);
     }
+    if (!request.game.isEmpty() && window.alley().openSaved(request.game))
+        return failure(WindowText::tr("%1: this game cannot be read").arg(oneLine(request.game)));
+    QCoreApplication::processEvents();
     if (request.room)
         window.enter(*request.room);
     if (request.lab)

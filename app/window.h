@@ -32,6 +32,7 @@ struct PictureRequest {
     std::optional<std::size_t> collision; // from 0; there are that many
     Stage stage = Stage::Contact;
     std::optional<Room> room; // to be open
+    QString game;             // a game's file to go on with; empty: none
     std::optional<int> lab;   // a question of the accuracy lab, from 0: measured, and open
     QSize size{1280, 800};
     QString output; // a .png

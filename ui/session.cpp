@@ -78,6 +78,17 @@ void Session::restore(const Subject& subject) {
 }
 
 void Session::setForesight(Foresight foresight) {
+    m_wishedForesight = foresight;
+    foresee();
+}
+
+void Session::holdForesight(std::optional<Foresight> foresight) {
+    m_heldForesight = foresight;
+    foresee();
+}
+
+void Session::foresee() {
+    const Foresight foresight = m_heldForesight.value_or(m_wishedForesight);
     if (foresight == m_foresight)
         return;
     m_foresight = foresight;

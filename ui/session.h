@@ -87,6 +87,8 @@ public:
     void restore(const Subject& subject); // one that was here before
     // Of throws alone; other scenes are always shown whole.
     void setForesight(Foresight foresight);
+    // While it is held, a game has the say, and what others wish waits.
+    void holdForesight(std::optional<Foresight> foresight);
     Foresight foresight() const { return m_foresight; }
     std::optional<Refusal> setEngine(const EngineSettings& settings); // but for how much is kept
     std::optional<Refusal> setUntil(double until);                    // [s]
@@ -125,6 +127,7 @@ private:
     void start(Subject subject);
     void edit(Subject subject);
     void begin();
+    void foresee();
     void adopt(Run whole);
     void adoptFirst(std::shared_ptr<const Chapter> chapter, std::unique_ptr<LongRun> rest);
     void takeProgress();
@@ -139,7 +142,9 @@ private:
     EngineSettings m_settings;
     Subject m_subject;
     Subject m_opened; // what reset() goes back to
-    Foresight m_foresight = Foresight::Whole;
+    Foresight m_foresight = Foresight::Whole; // what is shown: what is held, else what is wished
+    Foresight m_wishedForesight = Foresight::Whole;
+    std::optional<Foresight> m_heldForesight;
     double m_shownUntil = 0;
 };
 

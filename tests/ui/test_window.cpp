@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "core/scene/builtin.h"
+#include "ui/game/alley.h"
 #include "ui/rail/rail.h"
 #include "ui/rail/rail_button.h"
 
@@ -14,6 +15,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -90,6 +92,7 @@ class TestWindow : public QObject {
 private slots:
     void initTestCase() {
         QVERIFY(m_settings.isValid());
+        QStandardPaths::setTestModeEnabled(true); // games are kept, but not among the user's
         QCoreApplication::setOrganizationName("ThetaLaneTest");
         QCoreApplication::setApplicationName("ThetaLaneTest");
         QSettings::setDefaultFormat(QSettings::IniFormat);
@@ -192,6 +195,32 @@ private slots:
         QTest::mouseClick(p.window.findChild<QToolButton*>("english"), Qt::LeftButton);
         QCoreApplication::processEvents();
         QCOMPARE(steps->text(), QString("Steps"));
+    }
+
+    // Before the throw nothing tells how it ends, whatever the throw's panel wishes; the space bar throws.
+    void aGameSpoilsNothing() {
+        Program p(Language::Code::English);
+        QVERIFY(p.session.openBuiltin("bowling"));
+        p.window.enter(Room::Attributes);
+        QVERIFY(p.session.part().collisionCount > 1);
+        p.window.alley().start({{"김", 0}}, ScoringRules::Traditional, {});
+        QCOMPARE(p.window.alley().phase(), Alley::Phase::Aim);
+        QCoreApplication::processEvents();
+        QVERIFY(p.session.part().collisionCount <= 1);
+        auto* path = p.window.findChild<QComboBox*>("pathAhead");
+        path->setFocus();
+        QTest::keyClick(path, Qt::Key_Home);
+        QTest::keyClick(path, Qt::Key_End);
+        QVERIFY(p.session.part().collisionCount <= 1);
+        p.window.findChild<QWidget*>("laneView")->setFocus();
+        QTest::keyClick(&p.window, Qt::Key_Space);
+        QCOMPARE(p.window.alley().phase(), Alley::Phase::Rolling);
+        QVERIFY(p.playhead.playing());
+        QVERIFY(p.session.part().collisionCount > 1);
+        QCOMPARE(p.window.alley().game().deliveries[0].size(), std::size_t(1));
+        const QString kept = p.window.alley().path();
+        p.window.alley().close();
+        QVERIFY(QFile::remove(kept));
     }
 
     void koreanPagesHoldNoEnglish_data() { sceneRows(); }

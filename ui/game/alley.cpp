@@ -2,7 +2,6 @@
 
 #include <QFile>
 #include <QScopedValueRollback>
-#include <QTimer>
 
 #include <algorithm>
 #include <utility>
@@ -111,7 +110,7 @@ void Alley::close() {
     m_saveFault.clear();
     {
         const QScopedValueRollback own(m_own, true);
-        m_session.setForesight(Foresight::Whole);
+        m_session.holdForesight(std::nullopt);
     }
     emit changed();
 }
@@ -136,7 +135,6 @@ void Alley::adoptRun() {
         if (!isAim(subject))
             return leave();
         m_aims[turnOf(m_game)->player] = *subject.ballThrow;
-        QTimer::singleShot(0, this, &Alley::spoilNothing); // not while the run is still being told about
         if (isOtherEngine())
             emit changed();
         return;
@@ -160,15 +158,9 @@ void Alley::leave() {
     m_replayed.reset();
     {
         const QScopedValueRollback own(m_own, true);
-        m_session.setForesight(Foresight::Whole);
+        m_session.holdForesight(std::nullopt);
     }
     emit changed();
-}
-
-// Someone asked for the whole way of a ball that is not thrown yet.
-void Alley::spoilNothing() {
-    if (m_phase == Phase::Aim)
-        m_session.setForesight(Foresight::FirstContact);
 }
 
 void Alley::look(double time) {
@@ -188,7 +180,7 @@ void Alley::show(const Throw& ballThrow, const PinSet& standing, Foresight fores
     const QScopedValueRollback own(m_own, true);
     if (isOtherEngine())
         m_session.setEngine({}); // the record is the exact engine's, and so is what is shown of it
-    m_session.setForesight(foresight);
+    m_session.holdForesight(foresight);
     m_session.openDelivery(ballThrow, standing, m_game.lane);
     m_subject = m_session.subject();
 }

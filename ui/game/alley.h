@@ -84,7 +84,6 @@ signals:
 private:
     void adoptRun();
     void look(double time);
-    void spoilNothing();
     void reveal();
     void leave();
     void setUp();
