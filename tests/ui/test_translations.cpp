@@ -89,6 +89,57 @@ private slots:
         }
     }
 
+    // A textbook's term for each, and the same everywhere. Left out: words that mean other things as well
+    // (a speed of computing, to strike, a double of 53 bits).
+    void termsAreThoseOfATextbook_data() {
+        QTest::addColumn<QString>("english");
+        QTest::addColumn<QString>("korean");
+        const auto row = [](const char* english, const char* korean) {
+            QTest::newRow(english) << QString(english) << QString::fromUtf8(korean);
+        };
+        row("coefficient of restitution", "반발 계수");
+        row("momentum", "운동량");
+        row("impulse", "충격량");
+        row("kinetic energy", "운동 에너지");
+        row("relative velocity", "상대 속도");
+        row("velocity", "속도");
+        row("component", "성분");
+        row("line of centres", "중심선");
+        row("centre of mass", "질량 중심");
+        row("mass", "질량");
+        row("action and reaction", "작용 반작용|작용과 반작용");
+        row("friction", "마찰");
+        row("head pin", "헤드핀");
+        row("foul line", "파울 라인");
+        row("gutter", "거터");
+        row("pocket", "포켓");
+        row("spare", "스페어");
+        row("board", "보드");
+        row("oil", "오일");
+        row("strike map", "스트라이크 지도");
+        row("score sheet", "점수판");
+        row("delivery", "투구");
+        row("turkey", "터키");
+        row("perfect game", "퍼펙트 게임");
+    }
+    void termsAreThoseOfATextbook() {
+        QFETCH(QString, english);
+        QFETCH(QString, korean);
+        const QRegularExpression word("\\b" + english + "(s|ies)?\\b",
+                                      QRegularExpression::CaseInsensitiveOption);
+        const QRegularExpression term(korean), option("--[-a-z]+");
+        const QDir root(THETALANE_SOURCE_DIR);
+        int found = 0;
+        for (const Message& m : readMessages(root.filePath("translations/thetalane_ko.ts"))) {
+            if (!word.match(QString(m.source).remove(option)).hasMatch())
+                continue;
+            ++found;
+            QVERIFY2(term.match(m.translations.join(" ")).hasMatch(),
+                     qPrintable(m.source + " | " + m.translations.join(" ")));
+        }
+        QVERIFY2(found > 0, qPrintable(english));
+    }
+
     // %1, %2, … are all used, in any order.
     void placeholdersSurvive() {
         const QDir root(THETALANE_SOURCE_DIR);
