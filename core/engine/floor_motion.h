@@ -57,13 +57,26 @@ public:
     // What friction does to a body, at most [m/s²].
     const Real& strongestFriction() const { return m_strongest; }
 
-    // A ball that slips by less than `still` rolls.
-    void calm(std::size_t i, const Vec2<Real>& v, const Real& still) {
+    // A ball that rolls on with velocity v.
+    void roll(std::size_t i, const Vec2<Real>& v) {
         OneBody& b = m_bodies[i];
-        if (!b.body.rolls() || !(norm(b.body.slip(v, b.state.spin)) < still))
+        if (!b.body.rolls())
             return;
         b.state.spin.x = -v.y / b.body.arm;
         b.state.spin.y = v.x / b.body.arm;
+    }
+
+    // A ball that slips by less than `still` rolls: no faster than friction would have it roll, which takes
+    // v - u/(1 + 1/β), and along v, since that is what its contacts let it do. So kinetic energy falls.
+    void calm(std::size_t i, Vec2<Real>& v, const Real& still) {
+        const OneBody& b = m_bodies[i];
+        const Vec2<Real> u = b.body.slip(v, b.state.spin);
+        if (!b.body.rolls() || !(norm(u) < still))
+            return;
+        const Real slowed = dot(u, v) / b.body.slipLoss(), square = dot(v, v);
+        if (slowed > Real(0))
+            v = slowed < square ? v * (1 - slowed / square) : Vec2<Real>{};
+        roll(i, v);
     }
 
     // Body i, at `now` where `discs` says, goes on under friction and `push`, at most for `atMost`.

@@ -177,8 +177,7 @@ private:
                                  [&](const auto& v) { return pressing.slowestRebound(bodies, touches, v); });
             const Real still = pressing.restingSpeed(bodies, touches, velocities);
             m_settlement.stopBelow(still);
-            for (Index k = 0; k < bodies.size(); ++k)
-                m_floor.calm(bodies[k], velocities[k], still);
+            m_settlement.change([&](Index k, Vec2<Real>& v) { m_floor.calm(bodies[k], v, still); });
             pressing.solve(bodies, touches, velocities);
             keepTogether(pressing);
             hold(pressing);
@@ -259,7 +258,7 @@ private:
         for (const auto& touch : m_settlement.touches())
             m_around.held().hold(touch.name, now());
         for (const Index b : m_settlement.bodies()) {
-            m_floor.calm(b, {}, std::numeric_limits<Real>::infinity());
+            m_floor.roll(b, {});
             goOn(b, {}, {}, Real(0));
             if (m_recorder.keepsDetail())
                 record(b);
@@ -280,7 +279,7 @@ private:
         if (!m_settlement.keepTogether(pressing.pressed(), pressing.inverseMasses(bodies, velocities)))
             return;
         for (const Index k : rolling)
-            m_floor.calm(bodies[k], velocities[k], std::numeric_limits<Real>::infinity());
+            m_floor.roll(bodies[k], velocities[k]);
         pressing.solve(bodies, m_settlement.touches(), velocities);
     }
 

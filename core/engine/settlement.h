@@ -42,6 +42,11 @@ public:
     const std::vector<Index>& bodies() const { return m_cluster.bodies(); }
     const std::vector<Touch<Real>>& touches() const { return m_cluster.touches(); }
     const Velocities& velocities() const { return m_velocities; }
+    // `adjust(place, velocity)` for each body.
+    template <class Adjust> void change(Adjust&& adjust) {
+        for (Index k = 0; k < m_velocities.size(); ++k)
+            adjust(k, m_velocities[k]);
+    }
 
     // Passes until none approaches. `slowestRebound(velocities)`: a contact that would part no faster lasts,
     // and so does not bounce.
@@ -63,15 +68,6 @@ public:
     void stopBelow(const Real& speed) {
         if (!stopsBelow(speed))
             stopsBelow(std::min(speed, Real(4096 * std::numeric_limits<Real>::epsilon() * fastest())));
-    }
-
-    // Demands that cannot all be met are shared, and such a compromise may be none that energy allows.
-    bool gainsEnergy(const Velocities& change, const std::vector<Real>& inverseMass) const {
-        Real gain(0);
-        for (Index b = 0; b < m_velocities.size(); ++b)
-            if (inverseMass[b] > Real(0))
-                gain += dot(change[b], m_velocities[b] + m_velocities[b] + change[b]) / inverseMass[b];
-        return gain > Real(0);
     }
 
     // What lasts does not part: where another contact's impulse has parted two that are pressed together, for
@@ -96,8 +92,6 @@ public:
         if (!(most > rounding))
             return false;
         const auto solution = solveForces<Real>(contacts, inverseMass);
-        if (gainsEnergy(solution.change, inverseMass))
-            return false;
         for (Index b = 0; b < m_velocities.size(); ++b)
             m_velocities[b] = m_velocities[b] + solution.change[b];
         for (const Index k : pressed) // along a wall exactly
