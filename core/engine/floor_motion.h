@@ -40,6 +40,7 @@ public:
         return onFloor<Real>({}, v, m_bodies[i].state.spin, m_bodies[i].body, floorOf(i)).phase ==
                FloorPhase::Rest;
     }
+    bool rolls(std::size_t i) const { return m_bodies[i].body.rolls(); }
     // The most that holds a resting body against a push [m/s²].
     Real holding(std::size_t i) const {
         const Real mu =

@@ -56,7 +56,10 @@ public:
                 m_pressed.push_back(k);
         for (const Index k : m_pressed)
             m_holdsFor = std::min(m_holdsFor, steadyFor(touches[k], v));
+        ease(bodies, touches, v);
         find(bodies, touches, v);
+        for (Index b = 0; b < bodies.size(); ++b) // on the floor it meets friction as it is
+            m_pushes[b] = m_pushes[b] + m_friction[b] * (1 - 1 / m_ease[b]);
     }
     const Velocities& pushes() const { return m_pushes; }
     const std::vector<Index>& pressed() const { return m_pressed; }
@@ -118,6 +121,27 @@ private:
         return most;
     }
 
+    // Friction turns with the velocity it opposes. A disc that is pushed along so slowly that it would turn
+    // within the contact time takes the friction that its velocity has at the end of the hold, where k =
+    // |a|/|v| stays: v' = v + h (F/m - k v') is 1/(1 + k h) of what friction at the start and F alone would
+    // add. It neither overshoots nor sets the friction to and fro.
+    void ease(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
+        m_ease.assign(bodies.size(), Real(1));
+        const auto look = [&](Index b) {
+            const Real slowing = norm(m_friction[b]), speed = norm(v[b]);
+            if (m_ease[b] < Real(1) || m_floor.rolls(bodies[b]) || !(speed > Real(0)) ||
+                !(speed < slowing * m_contactTime))
+                return;
+            m_ease[b] = speed / (speed + slowing * m_holdsFor);
+            m_friction[b] = m_friction[b] * m_ease[b];
+        };
+        for (const Index k : m_pressed) {
+            look(touches[k].first);
+            if (!touches[k].name.isWall())
+                look(touches[k].second);
+        }
+    }
+
     // By friction alone, be it by rounding, or the contact would be met again at once; and not about to part.
     bool anyPressed(const Touches& touches, const Velocities& v) const {
         return std::any_of(touches.begin(), touches.end(), [&](const Touch<Real>& t) {
@@ -158,7 +182,7 @@ private:
             if (round > 0 && sameDemands(contacts, asked))
                 break; // and the same answer
             asked = std::move(contacts);
-            solution = solveForces<Real>(asked, inverseMasses(bodies, v, held));
+            solution = solveForces<Real>(asked, mobilities(bodies, v, held));
             for (Index b = 0; b < bodies.size(); ++b)
                 m_pushes[b] = solution.change[b] + (held[b] ? Vec2<Real>{} : m_loose[b]);
             const bool changed = loosen(bodies, touches, solution.impulse, held) || stick(held);
@@ -232,6 +256,13 @@ private:
                               : Real(1 / (m_discs.massOf(bodies[b]) * m_floor.slowness(bodies[b], v[b]))));
         return out;
     }
+    std::vector<Real> mobilities(const std::vector<Index>& bodies, const Velocities& v,
+                                 const std::vector<bool>& held) const {
+        std::vector<Real> out = inverseMasses(bodies, v, held);
+        for (Index b = 0; b < bodies.size(); ++b)
+            out[b] = out[b] * m_ease[b];
+        return out;
+    }
 
     // True if one more resting body gives way; friction then opposes the push.
     bool loosen(const std::vector<Index>& bodies, const Touches& touches, const std::vector<Real>& forces,
@@ -279,6 +310,7 @@ private:
     Real m_contactTime;
     Velocities m_friction;
     std::vector<bool> m_seen;
+    std::vector<Real> m_ease; // what is left of friction and push where they turn within the hold
     Velocities m_pushes;
     Velocities m_loose;          // friction on those that gave way
     std::vector<bool> m_settled; // those that did not, after all
