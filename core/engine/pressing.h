@@ -57,7 +57,10 @@ public:
         for (const Index k : m_pressed)
             m_holdsFor = std::min(m_holdsFor, steadyFor(touches[k], v));
         ease(bodies, touches, v);
-        find(bodies, touches, v);
+        do
+            find(bodies, touches, v);
+        while (harden(v));
+        keepThoseThatLast(touches, v);
         for (Index b = 0; b < bodies.size(); ++b) // on the floor it meets friction as it is
             m_pushes[b] = m_pushes[b] + m_friction[b] * (1 - 1 / m_ease[b]);
     }
@@ -142,6 +145,21 @@ private:
         }
     }
 
+    // Where a push turns out to oppose the velocity, the friction of the end would drive the disc until then:
+    // it takes what there is at the start, after all. True if there is such a disc.
+    bool harden(const Velocities& v) {
+        bool changed = false;
+        for (Index b = 0; b < m_ease.size(); ++b) {
+            const Real left = m_ease[b];
+            if (!(left < Real(1)) || !(dot(v[b], m_friction[b] - m_pushes[b] * (1 / left - 1)) > Real(0)))
+                continue;
+            m_friction[b] = m_friction[b] * (1 / left);
+            m_ease[b] = Real(1);
+            changed = true;
+        }
+        return changed;
+    }
+
     // By friction alone, be it by rounding, or the contact would be met again at once; and not about to part.
     bool anyPressed(const Touches& touches, const Velocities& v) const {
         return std::any_of(touches.begin(), touches.end(), [&](const Touch<Real>& t) {
@@ -188,7 +206,7 @@ private:
             const bool changed = loosen(bodies, touches, solution.impulse, held) || stick(held);
             round = changed ? 0 : round + 1;
         }
-        keepThoseThatLast(solution.impulse, touches, v);
+        m_forces = std::move(solution.impulse);
     }
 
     std::vector<bool> resting(const std::vector<Index>& bodies, const Velocities& v) const {
@@ -288,11 +306,11 @@ private:
         return false;
     }
 
-    void keepThoseThatLast(const std::vector<Real>& forces, const Touches& touches, const Velocities& v) {
+    void keepThoseThatLast(const Touches& touches, const Velocities& v) {
         Index kept = 0;
         const Real rounding = strongest(touches) * Real(1e-10f);
         for (Index k = 0; k < m_pressed.size(); ++k)
-            if (forces[k] > Real(0) || isBalanced(touches[m_pressed[k]], v, rounding))
+            if (m_forces[k] > Real(0) || isBalanced(touches[m_pressed[k]], v, rounding))
                 m_pressed[kept++] = m_pressed[k];
         m_pressed.resize(kept);
     }
@@ -312,6 +330,7 @@ private:
     std::vector<bool> m_seen;
     std::vector<Real> m_ease; // what is left of friction and push where they turn within the hold
     Velocities m_pushes;
+    std::vector<Real> m_forces;  // of the pressed contacts
     Velocities m_loose;          // friction on those that gave way
     std::vector<bool> m_settled; // those that did not, after all
     std::vector<Index> m_pressed;
