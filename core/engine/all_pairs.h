@@ -89,20 +89,28 @@ private:
             next = around.next(i, now, traveller);
         Real first = isContact(next.kind) ? next.time : never; // the first two contacts
         Real second = never;
-        if constexpr (!Accelerated)
-            m_discs.timesToImpact(i, from, now, m_in.data());
-        for (Index j = from; around.inPlay(i) && j < m_discs.count(); ++j) {
-            Real time;
-            if constexpr (Accelerated) // whatever surely comes later than what is known need not be solved
-                time = now + m_discs.timeToImpactWith(traveller, j, now, afterTies(next.time));
-            else
-                time = now + m_in[j];
+        const auto meet = [&](Index j, const Real& time) {
             if (!(time < never) || j == i || !around.inPlay(j) || around.holdsPair(i, j))
-                continue;
+                return;
             if (time < next.time)
                 next = {time, unsigned(j), EventKind::Pair, 0};
             second = std::min(second, std::max(first, time));
             first = std::min(first, time);
+        };
+        if (!around.inPlay(i)) {
+            // It meets nobody.
+        } else if constexpr (Accelerated) { // whatever surely comes later than what is known need not be
+                                            // solved
+            for (Index pair = from / 2 * 2; pair < m_discs.count(); pair += 2) {
+                const unsigned open = m_discs.mayMeet(traveller, pair, now, afterTies(next.time));
+                for (Index j = std::max(from, pair); j < pair + 2; ++j)
+                    if (j != i && (open >> (j - pair) & 1) != 0)
+                        meet(j, now + m_discs.timeToImpactWith(traveller, j, now, afterTies(next.time)));
+            }
+        } else {
+            m_discs.timesToImpact(i, from, now, m_in.data());
+            for (Index j = from; j < m_discs.count(); ++j)
+                meet(j, now + m_in[j]);
         }
         m_next[i] = {next, second - first <= tieWindow<Real>(first)};
     }

@@ -4,12 +4,15 @@
 
 #include "core/collision/pair_collision.h"
 #include "core/engine/traveller.h"
+#include "core/engine/two.h"
 #include "core/motion/impact.h"
 #include "core/motion/quadratic_impact.h"
 #include "core/scene/scene.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace thetalane {
@@ -20,7 +23,8 @@ template <class Real, bool Accelerated> class MovingDiscs {
 public:
     explicit MovingDiscs(const std::vector<Body>& bodies)
         : m_count(bodies.size())
-        , m_columns(columnCount * m_count, Real(0)) {
+        , m_stride(m_count + m_count % 2)
+        , m_columns(columnCount * m_stride, Real(0)) {
         for (std::size_t i = 0; i < m_count; ++i) {
             at(X, i) = Real(bodies[i].position.x);
             at(Y, i) = Real(bodies[i].position.y);
@@ -111,13 +115,42 @@ public:
                                   t.radius + radiusOf(j), dot(t.v, t.v) + dot(u, u), horizon);
     }
 
+    // Of discs j and j + 1, j even, the bits 0 and 1: whether bounds alone leave it open that the traveller
+    // meets it so; see timeToImpactWith().
+    unsigned mayMeet(const Traveller<Real>& t, std::size_t j, const Real& now, const Real& last) const {
+        if constexpr (!std::is_floating_point_v<Real>) {
+            return j + 1 < m_count ? 3 : 1;
+        } else {
+            using Both = Two<Real>;
+            const auto both = [](const Real& x) { return Both{x, x}; };
+            const Both elapsed = both(now) - two(Since, j), until = two(Until, j);
+            const Both ax = two(Ax, j), ay = two(Ay, j), vx = two(Vx, j), vy = two(Vy, j);
+            const Both x = two(X, j) + (vx + ax * (elapsed / 2)) * elapsed;
+            const Both y = two(Y, j) + (vy + ay * (elapsed / 2)) * elapsed;
+            const Vec2<Both> dp{t.p.x - x, t.p.y - y}, da{t.a.x - ax, t.a.y - ay};
+            const Vec2<Both> dv{t.v.x - (vx + ax * elapsed), t.v.y - (vy + ay * elapsed)};
+            const Both reach = t.radius + two(Radius, j);
+            const Real soonest = std::min(t.until, last);
+            const Both horizon = (until < soonest ? until : both(soonest)) - now;
+            const auto apart = staysApart<Both>(dp, dv, da, reach * reach, horizon) &
+                               isBounded<Both>(dv, da, horizon, both(std::numeric_limits<Real>::infinity()));
+            return ~bitsOf(apart) & (j + 1 < m_count ? 3 : 1);
+        }
+    }
+
 private:
     enum Column { X, Y, Vx, Vy, Since, Radius, Mass, Ax, Ay, Until };
     static constexpr std::size_t columnCount = Accelerated ? Until + 1 : Mass + 1;
-    Real& at(Column c, std::size_t i) { return m_columns[c * m_count + i]; }
-    const Real& at(Column c, std::size_t i) const { return m_columns[c * m_count + i]; }
+    Real& at(Column c, std::size_t i) { return m_columns[c * m_stride + i]; }
+    auto two(Column c, std::size_t i) const {
+        Two<Real> pair;
+        std::memcpy(&pair, &at(c, i), sizeof pair);
+        return pair;
+    }
+    const Real& at(Column c, std::size_t i) const { return m_columns[c * m_stride + i]; }
 
     std::size_t m_count;
+    std::size_t m_stride; // a column's length: two at a time
     std::vector<Real> m_columns;
 };
 

@@ -317,6 +317,8 @@ private:
             if constexpr (Models::friction) {
                 m_floor.begin(discs(), i, m_clock.now(), m_around.inPlay(i), {},
                               Real(0)); // with its new velocity
+                if (!m_around.held().concerns(i))
+                    return changedCourse(i, nobody);
                 const auto partners = m_around.held().partnersOf(i);
                 settle({i, nobody, Side::Left});
                 for (const Index partner : partners)

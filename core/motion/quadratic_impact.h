@@ -91,7 +91,7 @@ Real timeToImpact(const Vec2<Real>& dp, const Vec2<Real>& dv, const Vec2<Real>& 
     }
     const Real reach2 = reach * reach;
     // Else the horizon is so far that its powers overflow.
-    const bool bounded = (acceleration2 * horizon * horizon + dot(dv, dv)) * horizon * horizon < never;
+    const bool bounded = isBounded<Real>(dv, da, horizon, never);
     if (bounded && staysApart<Real>(dp, dv, da, reach2, horizon))
         return never;
     const Real closing = dot(dp, dv), distance2 = dot(dp, dp);

@@ -31,22 +31,29 @@ template <class Real> struct RelativeMotion {
 
 // Certainly no impact within `end`, told by bounds alone. P(t) is at least as far away as its part along any
 // direction: along the line of centres now, and across the velocity, where only ½ a t² moves it.
+// Of two at a time, where Real is two numbers (core/engine/two.h).
 template <class Real>
-bool staysApart(const Vec2<Real>& p, const Vec2<Real>& v, const Vec2<Real>& a, const Real& reach2,
+auto staysApart(const Vec2<Real>& p, const Vec2<Real>& v, const Vec2<Real>& a, const Real& reach2,
                 const Real& end) {
-    const Real zero(0);
-    const auto fall = [&zero](const Real& x) { return x < zero ? x : zero; };
+    const Real zero{};
+    const auto fall = [&zero](const Real& x) -> Real { return x < zero ? x : zero; };
     const Real end2 = end * end, distance2 = dot(p, p), speed2 = dot(v, v);
     const Real pv = dot(p, v), pa = dot(p, a);
     const Real along = distance2 + fall(pv * end) + fall(pa * end2 / 2);
     const Real across = cross(v, p), acrossLast = across + cross(v, a) * end2 / 2;
     const Real passing = reach2 * speed2;
-    const bool tooFar = (along > zero) & (along * along > reach2 * distance2);
-    const bool passes =
+    const auto tooFar = (along > zero) & (along * along > reach2 * distance2);
+    const auto passes =
         (across * acrossLast > zero) & (across * across > passing) & (acrossLast * acrossLast > passing);
     // P·V is p·v + (|v|² + p·a) t + (3/2)(v·a) t² + ½|a|² t³.
-    const bool parts = pv + fall((speed2 + pa) * end) + fall(Real(1.5) * dot(v, a) * end2) > zero;
+    const auto parts = pv + fall((speed2 + pa) * end) + fall(3 * dot(v, a) / 2 * end2) > zero;
     return tooFar | passes | parts;
+}
+
+// Whether the powers of a time that the above takes are finite.
+template <class Real>
+auto isBounded(const Vec2<Real>& v, const Vec2<Real>& a, const Real& end, const Real& never) {
+    return (dot(a, a) * end * end + dot(v, v)) * end * end < never;
 }
 
 // No root lies later: ½|a| t² <= |p| + reach + |v| t.
