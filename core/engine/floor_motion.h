@@ -40,7 +40,10 @@ public:
         return onFloor<Real>({}, v, m_bodies[i].state.spin, m_bodies[i].body, floorOf(i)).phase ==
                FloorPhase::Rest;
     }
-    bool rolls(std::size_t i) const { return m_bodies[i].body.rolls(); }
+    // A ball that slides: friction opposes its slip, whichever way it moves.
+    bool slips(std::size_t i, const Vec2<Real>& v) const {
+        return m_bodies[i].body.rolls() && !(slowness(i, v) > Real(1));
+    }
     // The most that holds a resting body against a push [m/s²].
     Real holding(std::size_t i) const {
         const Real mu =
@@ -178,20 +181,19 @@ private:
         return {abs(push.x) > least ? push.x : Real(0), abs(push.y) > least ? push.y : Real(0)};
     }
 
-    // Under a push the phase's closed form holds for a short while only, and no longer than until the body
-    // would turn back, or its slip: then it is asked anew.
+    // Under a push the phase's closed form holds for a short while only, and no longer than until what
+    // friction opposes would turn back, a ball's slip or else the velocity: then it is asked anew.
     static void limit(OneBody& b, const Floor<Real>& floor, const Vec2<Real>& push, const Real& atMost) {
         Real lasts = atMost;
+        b.stretch.acceleration = b.stretch.acceleration + push;
         if (b.state.phase == FloorPhase::Sliding && b.body.rolls()) {
             const Real slowing = deceleration<Real>(b.state, b.body, floor) * b.body.slipLoss() -
                                  dot(push, b.state.slipDirection);
             if (slowing > Real(0))
                 lasts = std::min(lasts, Real(b.state.slip / slowing));
-        }
-        b.stretch.acceleration = b.stretch.acceleration + push;
-        const Real slowing = -dot(b.stretch.acceleration, b.state.velocity);
-        if (slowing > Real(0))
+        } else if (const Real slowing = -dot(b.stretch.acceleration, b.state.velocity); slowing > Real(0)) {
             lasts = std::min(lasts, Real(dot(b.state.velocity, b.state.velocity) / slowing));
+        }
         b.stretch.lasts = lasts;
         b.stretch.change = FloorChange::None;
     }

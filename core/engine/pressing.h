@@ -124,15 +124,15 @@ private:
         return most;
     }
 
-    // Friction turns with the velocity it opposes. A disc that is pushed along so slowly that it would turn
-    // within the contact time takes the friction that its velocity has at the end of the hold, where k =
-    // |a|/|v| stays: v' = v + h (F/m - k v') is 1/(1 + k h) of what friction at the start and F alone would
-    // add. It neither overshoots nor sets the friction to and fro.
+    // Friction turns with the velocity it opposes, but for a ball that slips. A body that is pushed along so
+    // slowly that it would turn within the contact time takes the friction that its velocity has at the end
+    // of the hold, where k = |a|/|v| stays: v' = v + h (F/m - k v') is 1/(1 + k h) of what friction at the
+    // start and F alone would add. It neither overshoots nor sets the friction to and fro.
     void ease(const std::vector<Index>& bodies, const Touches& touches, const Velocities& v) {
         m_ease.assign(bodies.size(), Real(1));
         const auto look = [&](Index b) {
             const Real slowing = norm(m_friction[b]), speed = norm(v[b]);
-            if (m_ease[b] < Real(1) || m_floor.rolls(bodies[b]) || !(speed > Real(0)) ||
+            if (m_ease[b] < Real(1) || m_floor.slips(bodies[b], v[b]) || !(speed > Real(0)) ||
                 !(speed < slowing * m_contactTime))
                 return;
             m_ease[b] = speed / (speed + slowing * m_holdsFor);
@@ -145,8 +145,8 @@ private:
         }
     }
 
-    // Where a push turns out to oppose the velocity, the friction of the end would drive the disc until then:
-    // it takes what there is at the start, after all. True if there is such a disc.
+    // Where a push turns out to oppose the velocity, the friction of the end would drive the body until then:
+    // it takes what there is at the start, after all. True if there is such a body.
     bool harden(const Velocities& v) {
         bool changed = false;
         for (Index b = 0; b < m_ease.size(); ++b) {
