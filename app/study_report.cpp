@@ -127,7 +127,7 @@ QString cell(QString text) {
 }
 
 constexpr const char* stateNames[] = {"measured", "waiting", "refused", "too-slow"};
-constexpr const char* modelNames[] = {"friction", "spin", "oil", "wall-restitution", "ties"};
+constexpr const char* modelNames[] = {"friction", "spin", "oil", "restitution", "wall-restitution", "ties"};
 
 QString variantOf(const Method& m) {
     QStringList parts;

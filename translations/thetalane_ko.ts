@@ -1481,6 +1481,10 @@ after %2 s: off by %3 m</source>
         <translation>오일</translation>
     </message>
     <message>
+        <source>loss between bodies (e = 1)</source>
+        <translation>물체 사이의 에너지 손실 (e = 1)</translation>
+    </message>
+    <message>
         <source>loss at the walls (e = 1)</source>
         <translation>벽의 에너지 손실 (e = 1)</translation>
     </message>

@@ -28,7 +28,16 @@ void addSteps(std::vector<Method>& methods, std::initializer_list<double> perSec
             methods.push_back(sweptMethod(1 / n, passes));
 }
 
-constexpr Model models[] = {Model::Friction, Model::Spin, Model::Oil, Model::WallRestitution, Model::Ties};
+constexpr Model models[] = {Model::Friction,        Model::Spin, Model::Oil, Model::Restitution,
+                            Model::WallRestitution, Model::Ties};
+
+// With e = 1, as the paper has it.
+void addPapersLoop(std::vector<Method>& methods, std::initializer_list<double> perSecond) {
+    for (const double n : perSecond) {
+        methods.push_back(steppedMethod(1 / n, false));
+        methods.back().without = {Model::Restitution};
+    }
+}
 
 } // namespace
 
@@ -78,9 +87,11 @@ std::vector<Method> studyMethods(MethodSet set) {
         break;
     case MethodSet::Standard:
         addSteps(methods, {30, 60, 120, 240, 500, 1000});
+        addPapersLoop(methods, {60, 1000});
         break;
     case MethodSet::All:
         addSteps(methods, {30, 60, 120, 240, 500, 1000, 10'000, 100'000});
+        addPapersLoop(methods, {60, 1000, 100'000});
         break;
     }
     return methods;
@@ -94,6 +105,8 @@ bool hasModel(const Scene& scene, Model model) {
         return scene.friction && anyBody(scene, spins);
     case Model::Oil:
         return scene.friction && !scene.friction->oil.empty();
+    case Model::Restitution:
+        return scene.restitution < 1;
     case Model::WallRestitution:
         return (scene.frame && scene.frame->restitution < 1) ||
                (scene.lane && scene.lane->kickbacks && scene.lane->kickbacks->restitution < 1);
@@ -119,6 +132,8 @@ Scene sceneFor(const Method& method, Scene scene) {
     if (leavesOut(method, Model::Spin))
         for (Body& b : scene.bodies)
             b.spin = {};
+    if (leavesOut(method, Model::Restitution))
+        scene.restitution = 1;
     if (leavesOut(method, Model::WallRestitution)) {
         if (scene.frame)
             scene.frame->restitution = 1;

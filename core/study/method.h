@@ -13,6 +13,7 @@ enum class Model {
     Friction,        // of the floor: nothing slows, no oil, spin means nothing
     Spin,            // of the balls: they start without
     Oil,             // the whole lane is dry
+    Restitution,     // collisions between bodies lose nothing, e = 1, as in the paper
     WallRestitution, // walls and kickbacks throw back with e = 1
     Ties,            // contacts at one instant are taken one after the other
 };

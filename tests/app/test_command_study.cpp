@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(o.status, 0);
         QVERIFY(o.out.contains("its share of the cost"));
         const Table t = tableOf(csv);
-        for (const char* model : {"friction", "spin", "oil", "wall-restitution", "ties"}) {
+        for (const char* model : {"friction", "spin", "oil", "restitution", "wall-restitution", "ties"}) {
             const QStringList row = t.find("event", "double", QString("without-") + model);
             QVERIFY2(!row.isEmpty(), model);
             QVERIFY(t.at(row, "cost_ratio") > 0);

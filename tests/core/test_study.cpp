@@ -300,9 +300,10 @@ private slots:
         QVERIFY(sceneFor(without(Model::Oil), lane).friction->oil.empty());
         QCOMPARE(sceneFor(without(Model::Spin), lane).bodies[0].spin, Spin<double>{});
         QCOMPARE(sceneFor(without(Model::WallRestitution), lane).lane->kickbacks->restitution, 1.0);
+        QCOMPARE(sceneFor(without(Model::Restitution), lane).restitution, 1.0);
         QVERIFY(!settingsFor(without(Model::Ties), 1).ties);
         QVERIFY(sceneFor(eventMethod(), lane) == lane);
-        QCOMPARE(ablationMethods(lane).size(), std::size_t(6));
+        QCOMPARE(ablationMethods(lane).size(), std::size_t(7));
         QCOMPARE(ablationMethods(*builtinScene("two-balls")).size(), std::size_t(1));
     }
 

@@ -43,6 +43,8 @@ QString modelText(Model model) {
         return MethodText::tr("spin");
     case Model::Oil:
         return MethodText::tr("oil");
+    case Model::Restitution:
+        return MethodText::tr("loss between bodies (e = 1)");
     case Model::WallRestitution:
         return MethodText::tr("loss at the walls (e = 1)");
     case Model::Ties:
