@@ -6,6 +6,7 @@
 #include "ui/map/map_words.h"
 #include "ui/panels/pin_deck.h"
 #include "ui/plot/strike_map_figure.h"
+#include "ui/words/glossary.h"
 
 #include <QBuffer>
 #include <QFileDialog>
@@ -63,11 +64,13 @@ void MapPanel::build() {
     m_note = new QLabel(inside);
     m_note->setObjectName(QStringLiteral("mapNote"));
     m_note->setWordWrap(true);
+    setTerm(this, "strike-map");
+    setTerm(m_note, "pinfall");
+    setTerm(m_legend, "pinfall");
     m_column->addWidget(m_controls);
     m_column->addWidget(makeProgress());
     m_column->addWidget(m_view);
     m_column->addWidget(m_legend);
-    m_column->addWidget(makePointed());
     m_column->addWidget(m_note);
     m_column->addWidget(makeButtons());
     m_column->addStretch(1);
@@ -77,7 +80,9 @@ void MapPanel::build() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll);
+    layout->setSpacing(0);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(makePointed()); // in sight while one points at the map, however low the window
 }
 
 QWidget* MapPanel::makePointed() {
@@ -91,6 +96,7 @@ QWidget* MapPanel::makePointed() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_deck);
     layout->addWidget(m_pointed, 1);
+    m_deck->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     return box;
 }
 
@@ -99,6 +105,7 @@ QWidget* MapPanel::makeProgress() {
     m_state = new QLabel(m_progress);
     m_state->setObjectName(QStringLiteral("mapState"));
     m_state->setWordWrap(true);
+    setTerm(m_state, "strike-map");
     m_bar = new QProgressBar(m_progress);
     m_bar->setObjectName(QStringLiteral("mapProgress"));
     m_bar->setRange(0, 1000);
@@ -175,6 +182,7 @@ void MapPanel::restyle() {
     m_bar->setStyleSheet(QStringLiteral("QProgressBar { border: none; border-radius: 2px; background: %1; }"
                                         "QProgressBar::chunk { border-radius: 2px; background: %2; }")
                              .arg(a.line().name(), a.accent().name()));
+    m_deck->parentWidget()->layout()->setContentsMargins(unit, unit / 2, unit, unit / 2);
     const int deck = a.projector() ? 116 : 84;
     m_deck->setFixedSize(deck, int(deck * 0.88));
 }
