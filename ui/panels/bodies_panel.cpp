@@ -42,6 +42,7 @@ BodiesPanel::BodiesPanel(const Context& context, EditOptions& options, QWidget* 
     m_add->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the lane
     m_more->setWordWrap(true);
     build();
+    m_restitution->setTerm("restitution");
     connect(m_restitution, &ValueRow::edited, this, &BodiesPanel::apply);
     connect(m_restitution, &ValueRow::becameUnreadable, this, &BodiesPanel::apply);
     connect(m_add, &QPushButton::clicked, this, &BodiesPanel::addBody);

@@ -59,7 +59,9 @@ void paintPinDeck(QPainter& p, const QRectF& where, const PinSet& standing, cons
         const QPointF at = deckPinCentre(where, k);
         if (!standing[std::size_t(k)]) {
             p.setPen(Qt::NoPen);
-            p.setBrush(a.projector() ? a.quietText() : a.gutter().darker(115));
+            p.setBrush(a.projector() ? a.quietText()
+                       : a.dark()    ? a.line().lighter(140)
+                                     : a.gutter().darker(115));
             p.drawEllipse(at, 0.28 * radius, 0.28 * radius);
             continue;
         }
