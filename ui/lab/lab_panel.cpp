@@ -104,6 +104,8 @@ QWidget* LabPanel::makeDials() {
     m_perSecond = new ValueRow(appearance(), QStringLiteral("labSteps"), {10, 240, 1, 10}, "1/s", m_dials);
     m_speed->setValue(first.speed);
     m_perSecond->setValue(first.perSecond);
+    m_speed->setTerm("speed");
+    m_perSecond->setTerm("time-step");
     auto* layout = new QVBoxLayout(m_dials);
     layout->setContentsMargins(0, 0, 0, 0);
     for (ValueRow* row : {m_speed, m_perSecond}) {
@@ -150,8 +152,13 @@ QWidget* LabPanel::makeDiagram() {
 }
 
 void LabPanel::retranslate() {
-    m_hint->setText(
-        tr("Press a question: it is measured on this machine, and answered with what was found."));
+    QString hint = QStringLiteral("<p>") +
+                   tr("Press a question: it is measured on this machine, and answered with what was found.") +
+                   QStringLiteral("</p>");
+    for (int k = 0; k < presetCount; ++k)
+        hint += QStringLiteral("<p><b>%1</b><br>%2</p>")
+                    .arg(presetName(Preset(k)).toHtmlEscaped(), presetQuestion(Preset(k)).toHtmlEscaped());
+    m_hint->setText(hint);
     m_speed->setWords(tr("Speed of the ball"), tr("How fast the ball comes at the pin"));
     m_perSecond->setWords(tr("Steps per second, 1/h"), tr("How often the paper's loop looks for overlap"));
     m_bar->setAccessibleName(tr("Progress of the measurement"));

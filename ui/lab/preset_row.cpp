@@ -1,13 +1,22 @@
 #include "ui/lab/preset_row.h"
 
 #include "ui/lab/lab_words.h"
+#include "ui/words/glossary.h"
 
 #include <QGridLayout>
 #include <QPushButton>
 
 #include <algorithm>
+#include <array>
 
 namespace thetalane {
+namespace {
+
+// What each of them is about; the last one the scene in the window.
+constexpr std::array<const char*, presetCount + 1> terms{
+    "tunnelling", "papers-loop", "time-step", "floating-point", "friction", "sensitivity", "engine"};
+
+} // namespace
 
 PresetRow::PresetRow(const Context& context, QWidget* parent)
     : Panel(context, parent)
@@ -19,6 +28,7 @@ PresetRow::PresetRow(const Context& context, QWidget* parent)
         button->setObjectName(k < presetCount ? QStringLiteral("preset%1").arg(k)
                                               : QStringLiteral("ownScene"));
         button->setProperty("preset", true);
+        setTerm(button, terms[std::size_t(k)]);
         button->setCheckable(true);
         connect(button, &QPushButton::clicked, this, [this, k] {
             setChosen(k);
