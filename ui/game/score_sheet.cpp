@@ -109,6 +109,7 @@ void ScoreSheet::bringIntoView(const QRectF& frame) {
 }
 
 void ScoreSheet::bringTurnIntoView() {
+    m_scroll->setGeometry(rect()); // a height that was fitted while hidden comes without an event of its own
     if (const auto turn = m_alley.turn(); turn && !m_table->hasFocus())
         bringIntoView(m_table->sheetLayout().frame(turn->player, turn->turn.frame - 1));
 }

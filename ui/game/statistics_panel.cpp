@@ -101,7 +101,7 @@ void StatisticsPanel::restyle() {
         QStringLiteral(
             "QTableCornerButton::section { background: transparent; border: none; }"
             "QTableView::corner, QAbstractScrollArea::corner { background: transparent; border: none; }"
-            "QHeaderView:vertical, QHeaderView::section:vertical { border: none; padding: 2px 4px 2px 0; }"
+            "QHeaderView:vertical, QHeaderView::section:vertical { border: none; padding: 0 4px 3px 0; }"
             "QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }"
             "QScrollBar::handle:horizontal { background: %1; border-radius: 4px;"
             " min-width: 32px; margin: 1px; }")
