@@ -901,15 +901,15 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>%1 · about %2 s left</source>
-        <translation>%1 · 약 %2초 남음</translation>
+        <translation>%1 · 약 %2 s 남음</translation>
     </message>
     <message>
         <source>Cancelled after %1 s; shown is what there is: %2</source>
-        <translation>%1초 만에 취소했습니다. 그때까지의 결과입니다: %2</translation>
+        <translation>%1 s 만에 취소했습니다. 그때까지의 결과입니다: %2</translation>
     </message>
     <message>
         <source>%1 · measured in %2 s</source>
-        <translation>%1 · 측정 시간 %2초</translation>
+        <translation>%1 · 측정 시간 %2 s</translation>
     </message>
     <message>
         <source>%1: leaves at %2 s</source>
@@ -1709,8 +1709,8 @@ after %2 s: off by %3 m</source>
         <translation>하늘색</translation>
     </message>
     <message>
-        <source>black</source>
-        <translation>검정</translation>
+        <source>grey</source>
+        <translation>회색</translation>
     </message>
     <message>
         <source>yellow</source>
@@ -4045,13 +4045,6 @@ after %2 s: off by %3 m</source>
     </message>
 </context>
 <context>
-    <name>thetalane::FrameDeck</name>
-    <message>
-        <source>Click the pins that fell; on the keyboard the digits 1 to 9, and 0 for pin 10</source>
-        <translation>쓰러진 핀을 누르십시오. 자판에서는 숫자 1~9, 10번 핀은 0입니다</translation>
-    </message>
-</context>
-<context>
     <name>thetalane::FrameEditor</name>
     <message>
         <source>Rolls of the frame</source>
@@ -5155,16 +5148,16 @@ after %2 s: off by %3 m</source>
         <translation>서 있는 핀</translation>
     </message>
     <message>
-        <source>Click a pin to set it up or take it away; or press its number, 0 for pin 10</source>
-        <translation>핀을 누르면 세우거나 치웁니다. 번호 키를 눌러도 되며, 10번 핀은 0입니다</translation>
-    </message>
-    <message>
         <source>no pin stands</source>
         <translation>서 있는 핀 없음</translation>
     </message>
     <message>
         <source>%1; at pin %2</source>
         <translation>%1, 지금 %2번 핀</translation>
+    </message>
+    <message>
+        <source>Click a pin to turn it over; or press its number, 0 for pin 10</source>
+        <translation>핀을 누르면 쓰러뜨리거나 세웁니다. 번호 키를 눌러도 되며, 10번 핀은 0입니다</translation>
     </message>
 </context>
 <context>

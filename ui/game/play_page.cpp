@@ -1,9 +1,9 @@
 #include "ui/game/play_page.h"
 
-#include "ui/game/frame_deck.h"
 #include "ui/game/game_words.h"
 #include "ui/game/player_colours.h"
 #include "ui/game/saved_games_list.h"
+#include "ui/panels/pin_deck.h"
 #include "ui/words/glossary.h"
 
 #include <QAccessible>
@@ -59,7 +59,7 @@ PlayPage::PlayPage(const Context& context, Alley& alley, QWidget* parent)
     , m_column(new QVBoxLayout)
     , m_name(new QLabel(this))
     , m_place(new QLabel(this))
-    , m_deck(new FrameDeck(appearance(), this))
+    , m_deck(new PinDeck(appearance(), this))
     , m_standing(new QLabel(this))
     , m_go(new QPushButton(this))
     , m_told(new QLabel(this))
@@ -169,6 +169,7 @@ void PlayPage::restyle() {
     m_column->setSpacing(unit);
     m_name->setFont(look.font(Appearance::Size::Title, true));
     m_place->setFont(look.font(Appearance::Size::Large));
+    m_deck->setFixedSize(look.projector() ? QSize(136, 122) : QSize(96, 87));
     makeQuiet(*m_standing, look);
     m_go->setFont(look.font(Appearance::Size::Large, true));
     m_told->setFont(look.font(Appearance::Size::Title, true));
@@ -226,7 +227,8 @@ void PlayPage::showTurn() {
     m_name->setText(playerName(game, turn->player));
     m_place->setText(placeText(turn->turn));
     const PinSet pins = pinsFor(turn->turn);
-    m_deck->setPins(allPins, pins);
+    m_deck->setStanding(pins);
+    m_deck->setToolTip(standingText(pins));
     m_standing->setText(tr("Which pins stand was not entered: the hindmost are set up."));
 }
 

@@ -145,8 +145,9 @@ QWidget* LabPanel::makeDiagram() {
     auto* layout = new QGridLayout(m_diagram);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_diagrams, 0, 0);
-    layout->addWidget(new IconMark(appearance(), Icon::Down, m_diagram), 0, 0,
-                      Qt::AlignRight | Qt::AlignVCenter);
+    auto* mark = new QHBoxLayout(m_diagrams); // which is hidden where there is one diagram
+    mark->setContentsMargins(0, 0, 0, 0);
+    mark->addWidget(new IconMark(appearance(), Icon::Down, m_diagrams), 0, Qt::AlignRight | Qt::AlignVCenter);
     layout->addWidget(m_plot, 1, 0);
     return m_diagram;
 }

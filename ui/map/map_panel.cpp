@@ -154,7 +154,7 @@ void MapPanel::retranslate() {
     m_controls->retranslate();
     m_bar->setAccessibleName(tr("Progress of the map"));
     m_bar->setToolTip(m_bar->accessibleName());
-    m_deck->setAccessibleName(tr("Pins left standing"));
+    m_deck->setTitle(tr("Pins left standing"));
     m_deck->setToolTip(tr("What the throw that is pointed at leaves standing"));
     m_csv->setText(tr("Table …"));
     m_csv->setAccessibleName(tr("Save the map as a table"));
@@ -183,7 +183,7 @@ void MapPanel::restyle() {
                                         "QProgressBar::chunk { border-radius: 2px; background: %2; }")
                              .arg(a.line().name(), a.accent().name()));
     m_deck->parentWidget()->layout()->setContentsMargins(unit, unit / 2, unit, unit / 2);
-    const int deck = a.projector() ? 116 : 84;
+    const int deck = a.projector() ? 92 : 68;
     m_deck->setFixedSize(deck, int(deck * 0.88));
 }
 

@@ -142,7 +142,7 @@ void CollisionTreePanel::retranslate() {
     m_key->setText(tr("Above an arrow the time [s], below it the impulse [N·s]. What has not happened yet is "
                       "grey; click an arrow to open the collision."));
     m_view->setToolTip(tr("Click an arrow, or go along them with the arrow keys, to open the collision"));
-    m_deck->setAccessibleName(tr("Left standing"));
+    m_deck->setTitle(tr("Left standing"));
     m_later->setAccessibleName(tr("Later hits"));
     m_later->setToolTip(tr("Hits of bodies that moved already; choose one to open it"));
     showStanding();
