@@ -118,6 +118,7 @@ void NewGamePage::build() {
     m_column->addWidget(m_saved);
     m_column->addStretch(1);
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     scroll->setWidget(inside);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

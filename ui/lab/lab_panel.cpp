@@ -58,6 +58,7 @@ LabPanel::LabPanel(const Context& context, QWidget* parent, double share)
 
 void LabPanel::build(const Context& context) {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     m_column = new QVBoxLayout(inside);
     m_presets = new PresetRow(context, inside);

@@ -129,8 +129,9 @@ void MethodChoice::restyle() {
                        "QPushButton[chip=\"true\"]:focus { padding: 0 7px; }"
                        "QPushButton[chip=\"true\"]:checked { background: %1; color: %2; border-color: "
                        "%1; }"
+                       "QPushButton[chip=\"true\"]:checked:focus { border: 2px solid %4; padding: 0 7px; }"
                        "QPushButton[chip=\"true\"]:disabled { color: %3; }")
-            .arg(look.accent().name(), look.card().name(), look.line().name()));
+            .arg(look.accent().name(), look.card().name(), look.line().name(), look.text().name()));
     layout()->setSpacing(look.unit() / 2);
     for (Family& f : m_families) {
         makeQuiet(*f.name, look);

@@ -66,8 +66,9 @@ void PresetRow::restyle() {
     const Appearance& look = appearance();
     setStyleSheet(styleSheet() +
                   QStringLiteral("QPushButton[preset=\"true\"]:checked { background: %1; color: %2; "
-                                 "border-color: %1; }")
-                      .arg(look.accent().name(), look.card().name()));
+                                 "border-color: %1; }"
+                                 "QPushButton[preset=\"true\"]:checked:focus { border: 2px solid %3; }")
+                      .arg(look.accent().name(), look.card().name(), look.text().name()));
     m_grid->setSpacing(look.unit() / 2);
     for (QPushButton* b : m_buttons) {
         b->setFont(look.font(Appearance::Size::Normal));

@@ -59,6 +59,7 @@ MapPanel::MapPanel(const Context& context, QWidget* parent, int cells)
 
 void MapPanel::build() {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     m_column = new QVBoxLayout(inside);
     m_note = new QLabel(inside);

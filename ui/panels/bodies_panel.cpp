@@ -62,6 +62,7 @@ BodiesPanel::BodiesPanel(const Context& context, EditOptions& options, QWidget* 
 
 void BodiesPanel::build() {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     inside->setLayout(m_column);
     scroll->setWidget(inside);

@@ -77,6 +77,7 @@ ThrowPanel::ThrowPanel(const Context& context, QWidget* parent)
     setTerm(m_throwButton, "delivery");
     makeRows();
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     inside->setLayout(m_column);
     scroll->setWidget(inside);

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace thetalane {
 
 using namespace hittree;
@@ -93,7 +95,7 @@ void HitTreeView::paintNode(QPainter& p, const TreeNode& node, std::size_t index
     p.setFont(a.font(Appearance::Size::Normal, true));
     p.setPen(chosen.isValid() || ball ? a.card() : done ? a.text() : a.faintText());
     p.drawText(r, Qt::AlignCenter, bodyName(m_run->scene, node.body).left(longestName));
-    if (hasFocus() && int(index) == m_current) {
+    if (hasFocus() && int(index) == std::max(0, m_current)) { // at first where the keys begin
         p.setPen(QPen(a.accent(), a.lineWidth()));
         p.setBrush(Qt::NoBrush);
         const QRectF ring = r.adjusted(-2, -2, 2, 2);
