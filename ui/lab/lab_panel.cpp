@@ -3,6 +3,7 @@
 #include "ui/lab/ghost_box.h"
 #include "ui/lab/lab_table.h"
 #include "ui/lab/lab_words.h"
+#include "ui/lab/line_sample.h"
 #include "ui/lab/method_choice.h"
 #include "ui/lab/preset_row.h"
 #include "ui/panels/icon_button.h"
@@ -202,6 +203,7 @@ void LabPanel::restyle() {
     style.lineWidth = look.lineWidth();
     style.locale = QLocale::c();
     m_plot->setStyle(style);
+    showPlot();
 }
 
 void LabPanel::choose(Preset preset) {
@@ -323,6 +325,8 @@ void LabPanel::showPlot() {
     if (!m_result || m_diagrams->count() == 0)
         return;
     m_shown = labPlot(*m_result, diagram());
+    for (PlotSeries& series : m_shown.plot.series)
+        series.colour = seenColour(series.colour, appearance());
     m_plot->setPlot(m_shown.plot);
 }
 

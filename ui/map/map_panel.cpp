@@ -1,30 +1,21 @@
 #include "ui/map/map_panel.h"
 
-#include "core/format/map_csv.h"
 #include "ui/map/map_controls.h"
 #include "ui/map/map_legend.h"
 #include "ui/map/map_words.h"
 #include "ui/panels/pin_deck.h"
-#include "ui/plot/strike_map_figure.h"
 #include "ui/words/glossary.h"
 
-#include <QBuffer>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
 namespace thetalane {
 namespace {
-
-constexpr QSize pictureSize(1380, 1020); // as of the command line
 
 bool isOffsetOverAngle(const MapSettings& s) {
     return s.across.quantity == MapQuantity::Offset && s.up.quantity == MapQuantity::Angle;
@@ -84,6 +75,7 @@ void MapPanel::build() {
     layout->setSpacing(0);
     layout->addWidget(scroll, 1);
     layout->addWidget(makePointed()); // in sight while one points at the map, however low the window
+    layout->addStretch(0);
 }
 
 QWidget* MapPanel::makePointed() {
@@ -186,11 +178,18 @@ void MapPanel::restyle() {
     m_deck->parentWidget()->layout()->setContentsMargins(unit, unit / 2, unit, unit / 2);
     const int deck = a.projector() ? 92 : 68;
     m_deck->setFixedSize(deck, int(deck * 0.88));
+    m_deck->parentWidget()->setMinimumHeight(m_deck->height() + unit); // nothing jumps when one points
 }
 
 void MapPanel::showEvent(QShowEvent* event) {
     startIfOther();
     Panel::showEvent(event);
+}
+
+// Where there is room for all of it, what is pointed at is read right below.
+void MapPanel::resizeEvent(QResizeEvent* event) {
+    findChild<QScrollArea*>()->setMaximumHeight(m_column->totalHeightForWidth(width()));
+    Panel::resizeEvent(event);
 }
 
 void MapPanel::startIfOther() {
@@ -299,50 +298,6 @@ void MapPanel::throwIt(MapView::Place place) {
     playhead().setTime(0);
     playhead().setPlaying(true);
     emit thrown();
-}
-
-// Not modal: the lane goes on behind it.
-void MapPanel::ask(const QString& title, const QString& filter, const QString& suffix,
-                   bool (MapPanel::*saveAs)(const QString&)) {
-    auto* dialog = new QFileDialog(this, title);
-    dialog->setObjectName(QStringLiteral("mapSaveDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(filter);
-    dialog->setDefaultSuffix(suffix);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, saveAs](const QString& path) { (this->*saveAs)(path); });
-    dialog->open();
-}
-
-bool MapPanel::saveCsv(const QString& path) {
-    return map() && save(path, mapCsv(*map()));
-}
-
-bool MapPanel::savePicture(const QString& path) {
-    if (!map())
-        return false;
-    QImage image(pictureSize, QImage::Format_RGB32);
-    QPainter painter(&image);
-    painter.setFont(appearance().font(Appearance::Size::Normal));
-    paintStrikeMap(painter, QRectF(image.rect()), *map());
-    painter.end();
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    return image.save(&buffer, "PNG") && save(path, bytes);
-}
-
-// Whole, or not at all: under another name first, then renamed.
-bool MapPanel::save(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    const bool done =
-        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
-    const QString name = QFileInfo(path).fileName(), why = done ? QString() : file.errorString();
-    m_saved = [done, name, why] {
-        return done ? tr("Saved: %1").arg(name) : tr("%1 cannot be written: %2").arg(name, why);
-    };
-    showState();
-    return done;
 }
 
 } // namespace thetalane
