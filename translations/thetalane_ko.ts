@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko" sourcelanguage="en">
 <context>
+    <name>BodyName</name>
+    <message>
+        <source>ball</source>
+        <translation>공</translation>
+    </message>
+    <message>
+        <source>cue</source>
+        <translation>수구</translation>
+    </message>
+</context>
+<context>
     <name>CollisionSheet</name>
     <message>
         <source>Σ%1 after − before</source>

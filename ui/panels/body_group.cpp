@@ -9,6 +9,7 @@
 #include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
+#include "ui/words/worked_steps.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -200,7 +201,7 @@ void BodyGroup::retranslate() {
         if (f >= SpinX && f <= SpinZ) // and as bowlers count
             hint += QStringLiteral(" rad/s = %1 rpm").arg(numberText(value * 30 / std::numbers::pi));
         m_labels[f]->setText(names[f]);
-        const QString name = QStringLiteral("%1, %2").arg(QString::fromStdString(m_body.id), names[f]);
+        const QString name = QStringLiteral("%1, %2").arg(bodyName(m_body), names[f]);
         m_fields[f]->setWords(name, hint);
         if (f < m_sliders.size())
             m_sliders[f]->setWords(name, hint);
@@ -211,8 +212,7 @@ void BodyGroup::retranslate() {
     m_kind->setItemText(int(BodyKind::Pin), tr("Pin"));
     m_kind->setToolTip(tr("Ball or pin: they look different; on a floor with friction balls roll"));
     m_kind->setAccessibleName(tr("Kind"));
-    m_remove->setWords(tr("Remove %1").arg(QString::fromStdString(m_body.id)),
-                       tr("Remove %1").arg(QString::fromStdString(m_body.id)));
+    m_remove->setWords(tr("Remove %1").arg(bodyName(m_body)), tr("Remove %1").arg(bodyName(m_body)));
 }
 
 void BodyGroup::showFields(bool turns) {
