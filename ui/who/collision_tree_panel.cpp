@@ -145,6 +145,8 @@ void CollisionTreePanel::retranslate() {
     m_deck->setTitle(tr("Left standing"));
     m_later->setAccessibleName(tr("Later hits"));
     m_later->setToolTip(tr("Hits of bodies that moved already; choose one to open it"));
+    if (m_tree && !m_stale) // a body's name may be a word, of another width
+        return showTree();
     showStanding();
     showLater();
     showWords();
