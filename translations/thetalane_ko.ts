@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko" sourcelanguage="en">
 <context>
+    <name>BodyName</name>
+    <message>
+        <source>ball</source>
+        <translation>공</translation>
+    </message>
+    <message>
+        <source>cue</source>
+        <translation>수구</translation>
+    </message>
+</context>
+<context>
     <name>CollisionSheet</name>
     <message>
         <source>Σ%1 after − before</source>
@@ -845,7 +856,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>What friction costs</source>
-        <translation>마찰의 값</translation>
+        <translation>마찰 계산의 비용</translation>
     </message>
     <message>
         <source>Butterfly: 1 µm to the left</source>
@@ -901,15 +912,15 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>%1 · about %2 s left</source>
-        <translation>%1 · 약 %2초 남음</translation>
+        <translation>%1 · 약 %2 s 남음</translation>
     </message>
     <message>
         <source>Cancelled after %1 s; shown is what there is: %2</source>
-        <translation>%1초 만에 취소했습니다. 그때까지의 결과입니다: %2</translation>
+        <translation>%1 s 만에 취소했습니다. 그때까지의 결과입니다: %2</translation>
     </message>
     <message>
         <source>%1 · measured in %2 s</source>
-        <translation>%1 · 측정 시간 %2초</translation>
+        <translation>%1 · 측정 시간 %2 s</translation>
     </message>
     <message>
         <source>%1: leaves at %2 s</source>
@@ -1713,8 +1724,8 @@ after %2 s: off by %3 m</source>
         <translation>하늘색</translation>
     </message>
     <message>
-        <source>black</source>
-        <translation>검정</translation>
+        <source>grey</source>
+        <translation>회색</translation>
     </message>
     <message>
         <source>yellow</source>
@@ -3721,7 +3732,7 @@ after %2 s: off by %3 m</source>
     <name>thetalane::CollisionTreePanel</name>
     <message>
         <source>Nobody hits anybody.</source>
-        <translation>아무도 부딪치지 않습니다.</translation>
+        <translation>부딪치는 물체가 없습니다.</translation>
     </message>
     <message>
         <source>Above an arrow the time [s], below it the impulse [N·s]. What has not happened yet is grey; click an arrow to open the collision.</source>
@@ -3729,7 +3740,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Click an arrow, or go along them with the arrow keys, to open the collision</source>
-        <translation>화살표를 누르거나 방향 키로 따라가면 그 충돌이 열립니다</translation>
+        <translation>화살표를 누르거나 화살표 키로 따라가면 그 충돌이 열립니다</translation>
     </message>
     <message>
         <source>Left standing</source>
@@ -3745,19 +3756,19 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Perfect strike, right-handed: the ball touches only 1, 3, 5 and 9, and the pins do the rest: 1 → 2 → 4 → 7, 3 → 6 → 10, 5 → 8.</source>
-        <translation>퍼펙트 스트라이크(오른손): 볼은 1, 3, 5, 9번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 2 → 4 → 7, 3 → 6 → 10, 5 → 8.</translation>
+        <translation>퍼펙트 스트라이크(오른손): 공은 1, 3, 5, 9번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 2 → 4 → 7, 3 → 6 → 10, 5 → 8.</translation>
     </message>
     <message>
         <source>Perfect strike, left-handed: the ball touches only 1, 2, 5 and 8, and the pins do the rest: 1 → 3 → 6 → 10, 2 → 4 → 7, 5 → 9.</source>
-        <translation>퍼펙트 스트라이크(왼손): 볼은 1, 2, 5, 8번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 3 → 6 → 10, 2 → 4 → 7, 5 → 9.</translation>
+        <translation>퍼펙트 스트라이크(왼손): 공은 1, 2, 5, 8번 핀만 맞히고 나머지는 핀이 핀을 쓰러뜨립니다. 1 → 3 → 6 → 10, 2 → 4 → 7, 5 → 9.</translation>
     </message>
     <message>
         <source>Of the ten links of the perfect strike, right-handed, %1 came about (amber).</source>
-        <translation>퍼펙트 스트라이크(오른손)의 고리 열 개 가운데 %1개가 이루어졌습니다(주황색).</translation>
+        <translation>퍼펙트 스트라이크(오른손)의 고리 10개 가운데 %1개가 이루어졌습니다(주황색).</translation>
     </message>
     <message>
         <source>Of the ten links of the perfect strike, left-handed, %1 came about (amber).</source>
-        <translation>퍼펙트 스트라이크(왼손)의 고리 열 개 가운데 %1개가 이루어졌습니다(주황색).</translation>
+        <translation>퍼펙트 스트라이크(왼손)의 고리 10개 가운데 %1개가 이루어졌습니다(주황색).</translation>
     </message>
     <message>
         <source>Drawn are the first %1 hits that set a body moving; %2 more are not.</source>
@@ -4046,13 +4057,6 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Copy all lines</source>
         <translation>모든 줄 복사</translation>
-    </message>
-</context>
-<context>
-    <name>thetalane::FrameDeck</name>
-    <message>
-        <source>Click the pins that fell; on the keyboard the digits 1 to 9, and 0 for pin 10</source>
-        <translation>쓰러진 핀을 누르십시오. 자판에서는 숫자 1~9, 10번 핀은 0입니다</translation>
     </message>
 </context>
 <context>
@@ -4358,7 +4362,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Again</source>
-        <translation>다시</translation>
+        <translation>다시 재기</translation>
     </message>
     <message>
         <source>Stops, and keeps what is measured so far</source>
@@ -4831,11 +4835,11 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Usual ball</source>
-        <translation>보통 볼</translation>
+        <translation>보통 공</translation>
     </message>
     <message>
         <source>Ball of this throw</source>
-        <translation>지금 던진 볼</translation>
+        <translation>지금 투구의 공</translation>
     </message>
     <message>
         <source>Where</source>
@@ -4847,11 +4851,11 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Ball</source>
-        <translation>볼</translation>
+        <translation>공</translation>
     </message>
     <message>
         <source>Usual: 6.8 kg; 6.8 m/s at the rack; on the lane 8 m/s and 400 rpm from the middle. Or weight, speed, rotation and position of the present throw</source>
-        <translation>보통 볼: 6.8 kg, 핀 앞에서 6.8 m/s, 레인에서는 가운데에서 8 m/s와 분당 400회전. 또는 지금 투구의 무게, 속력, 회전, 위치</translation>
+        <translation>보통 공: 6.8 kg, 핀 앞에서 6.8 m/s, 레인에서는 가운데에서 8 m/s와 분당 400회전. 또는 지금 투구의 무게, 속력, 회전, 위치</translation>
     </message>
     <message>
         <source>From left to right</source>
@@ -4875,7 +4879,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Between ball and pins, and pins and pins</source>
-        <translation>볼과 핀, 핀과 핀 사이</translation>
+        <translation>공과 핀, 핀과 핀 사이에 적용됩니다</translation>
     </message>
 </context>
 <context>
@@ -4941,7 +4945,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Again</source>
-        <translation>다시</translation>
+        <translation>다시 계산</translation>
     </message>
     <message>
         <source>Stops, and keeps what there is</source>
@@ -4965,7 +4969,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>The present throw comes in beside this map.</source>
-        <translation>지금 투구는 이 지도의 밖으로 들어옵니다.</translation>
+        <translation>지금 투구는 이 지도를 벗어난 곳으로 들어옵니다.</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -4973,7 +4977,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>%1을(를) 쓸 수 없습니다: %2</translation>
+        <translation>쓸 수 없는 파일: %1. %2</translation>
     </message>
 </context>
 <context>
@@ -4984,7 +4988,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Point at a throw to see what it leaves standing; click to throw it. Arrow keys move, Enter throws.</source>
-        <translation>칸을 가리키면 그 투구가 남기는 핀이 보이고, 누르면 던집니다. 방향 키로 옮기고 Enter로 던집니다.</translation>
+        <translation>칸을 가리키면 그 투구가 남기는 핀이 보이고, 누르면 던집니다. 화살표 키로 옮기고 Enter로 던집니다.</translation>
     </message>
 </context>
 <context>
@@ -5159,16 +5163,16 @@ after %2 s: off by %3 m</source>
         <translation>서 있는 핀</translation>
     </message>
     <message>
-        <source>Click a pin to set it up or take it away; or press its number, 0 for pin 10</source>
-        <translation>핀을 누르면 세우거나 치웁니다. 번호 키를 눌러도 되며, 10번 핀은 0입니다</translation>
-    </message>
-    <message>
         <source>no pin stands</source>
         <translation>서 있는 핀 없음</translation>
     </message>
     <message>
         <source>%1; at pin %2</source>
         <translation>%1, 지금 %2번 핀</translation>
+    </message>
+    <message>
+        <source>Click a pin to turn it over; or press its number, 0 for pin 10</source>
+        <translation>핀을 누르면 쓰러뜨리거나 세웁니다. 번호 키를 눌러도 되며, 10번 핀은 0입니다</translation>
     </message>
 </context>
 <context>
@@ -5223,7 +5227,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>The window shows something that is not of this game. The game waits.</source>
-        <translation>지금 화면에 보이는 것은 이 게임의 장면이 아닙니다. 게임은 기다립니다.</translation>
+        <translation>지금 화면에 보이는 것은 이 게임의 장면이 아닙니다. 게임은 잠시 멈춰 있습니다.</translation>
     </message>
     <message>
         <source>Seen again: %1</source>
@@ -5231,7 +5235,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>This run is another engine&apos;s; the score is the exact engine&apos;s.</source>
-        <translation>지금 보이는 것은 다른 엔진의 계산이고, 점수는 정확한 엔진의 것입니다.</translation>
+        <translation>지금 보이는 것은 다른 방법으로 계산한 것이고, 점수는 정확한 계산의 결과입니다.</translation>
     </message>
     <message>
         <source>The game could not be saved: %1</source>
@@ -5579,7 +5583,7 @@ after %2 s: off by %3 m</source>
     <message>
         <source>max %1</source>
         <comment>the highest possible score</comment>
-        <translation>최고 %1</translation>
+        <translation>최대 %1</translation>
     </message>
     <message>
         <source>Click a roll to see it again, the total to correct the frame (F2)</source>
@@ -5602,7 +5606,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Drag to any time. Click a tick to open that collision. Arrow keys step by frames, with Ctrl by collisions; Home and End go to the ends.</source>
-        <translation>끌어서 원하는 시각으로 옮깁니다. 눈금을 누르면 그 충돌이 열립니다. 방향키는 한 프레임씩, Ctrl과 함께 누르면 충돌 단위로 옮기고, Home과 End는 양 끝으로 옮깁니다.</translation>
+        <translation>끌어서 원하는 시각으로 옮깁니다. 눈금을 누르면 그 충돌이 열립니다. 화살표 키는 한 프레임씩, Ctrl과 함께 누르면 충돌 단위로 옮기고, Home과 End는 양 끝으로 옮깁니다.</translation>
     </message>
     <message numerus="yes">
         <source>and %n more at the same instant, resolved together</source>
@@ -5640,7 +5644,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Click pins to set them up or take them away, or choose a leave; then throw.</source>
-        <translation>핀을 눌러 세우거나 치우고, 또는 남은 핀의 모양을 고른 다음 던지십시오.</translation>
+        <translation>핀을 눌러 세우거나 치우십시오. 아래에서 남은 핀의 모양을 골라도 됩니다. 그다음 던지십시오.</translation>
     </message>
     <message>
         <source>Throw at these pins</source>
@@ -5652,7 +5656,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Show a line that makes it</source>
-        <translation>처리하는 길 보기</translation>
+        <translation>처리하는 경로 보기</translation>
     </message>
     <message>
         <source>Looks for position and direction with this weight, speed and rotation that forgive most</source>
@@ -5688,11 +5692,11 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>With this ball, no line among those tried makes it.</source>
-        <translation>이 볼로 시도해 본 길 가운데 처리하는 길이 없습니다.</translation>
+        <translation>이 공으로 시도해 본 경로 가운데 핀을 모두 처리하는 것이 없습니다.</translation>
     </message>
     <message>
         <source>It is set: the direction may be off by %1° to either side.</source>
-        <translation>그 길로 맞추었습니다. 방향이 양쪽으로 %1°까지 벗어나도 됩니다.</translation>
+        <translation>그 경로로 맞추었습니다. 방향이 양쪽으로 %1°까지 벗어나도 됩니다.</translation>
     </message>
     <message>
         <source>not tried yet</source>
@@ -6036,7 +6040,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>Throw</source>
-        <translation>투구</translation>
+        <translation>던지기</translation>
     </message>
     <message>
         <source>Throw the ball from the foul line</source>
@@ -6372,7 +6376,7 @@ pin</source>
     </message>
     <message>
         <source>The pin that the ball touches first</source>
-        <translation>볼이 처음 닿는 핀</translation>
+        <translation>공이 처음 닿는 핀</translation>
     </message>
     <message>
         <source>Offset
@@ -6382,7 +6386,7 @@ pin</source>
     </message>
     <message>
         <source>Where the ball&apos;s path passes the head pin [cm], positive to the right</source>
-        <translation>볼의 길이 헤드핀을 지나는 거리 [cm], 오른쪽이 양</translation>
+        <translation>공의 경로가 헤드핀의 중심에서 벗어난 거리 [cm]. 오른쪽이 양의 방향입니다</translation>
     </message>
     <message>
         <source>Angle
@@ -6392,7 +6396,7 @@ pin</source>
     </message>
     <message>
         <source>The entry angle [°], positive to the left</source>
-        <translation>입사각 [°], 왼쪽이 양</translation>
+        <translation>입사각 [°]. 왼쪽이 양의 방향입니다</translation>
     </message>
 </context>
 <context>

@@ -103,6 +103,12 @@ QColor Appearance::text() const {
 QColor Appearance::quietText() const {
     return pick(0x5A6570, 0x333A42, 0xA8B2BC, 0xC8D0D8);
 }
+QColor Appearance::faintText() const {
+    return pick(0x758391, 0x5A6570, 0x76828E, 0x8E98A2);
+}
+QColor Appearance::noteGround() const {
+    return pick(0xFBF0D4, 0xF5DFA8, 0x3D3218, 0x4A3A12);
+}
 QColor Appearance::line() const {
     return pick(0xD9DDE2, 0x9AA2AB, 0x3A434D, 0x66707A);
 }

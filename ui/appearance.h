@@ -34,6 +34,8 @@ public:
     QColor card() const;   // cards and panels
     QColor text() const;
     QColor quietText() const;
+    QColor faintText() const;   // of what has not happened yet, or cannot be pressed
+    QColor noteGround() const;  // behind a note that something unusual is shown
     QColor line() const;        // hairlines
     QColor accent() const;      // the one obvious thing to press, the focus, the current stage
     QColor hover() const;       // behind what the mouse is over

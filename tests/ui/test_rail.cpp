@@ -128,7 +128,7 @@ private slots:
     // Every entry in both languages; a Korean explanation holds no English but symbols and units.
     void theGlossaryIsWhole() {
         const auto english = glossary(Language::Code::English), korean = glossary(Language::Code::Korean);
-        QVERIFY(english.size() >= 40);
+        QVERIFY(english.size() >= 65);
         QCOMPARE(english.size(), korean.size());
         static const QRegularExpression words("[A-Za-z]{4,}"), hangul("[가-힣]");
         QSet<QString> ids;
@@ -142,20 +142,6 @@ private slots:
             QVERIFY2(korean[k].text.contains(hangul) && korean[k].text.endsWith("다."),
                      qPrintable(korean[k].text));
         }
-    }
-
-    // What a widget says it is about is in the glossary.
-    void everyTermIsExplained() {
-        Program p;
-        for (int k = 0; p.rail().offered(k); ++k)
-            p.window->enter(*p.rail().offered(k));
-        int said = 0;
-        for (const QWidget* w : p.window->findChildren<QWidget*>())
-            if (const QString term = w->property(termProperty).toString(); !term.isEmpty()) {
-                QVERIFY2(glossaryEntry(term), qPrintable(term));
-                ++said;
-            }
-        QVERIFY(said >= 6);
     }
 
     void f1OpensTheTermWithTheFocus() {

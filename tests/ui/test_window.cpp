@@ -67,8 +67,8 @@ QStringList textsOf(const QWidget* w) {
 
 // Words in Latin letters that a Korean page may hold: names, ids, keys, functions, units.
 QStringList latinWords(const QString& text) {
-    static const QStringList allowed{"ThetaLane", "English", "Ctrl", "Space", "Home", "End",  "Enter", "Esc",
-                                     "cos",       "sin",     "ball", "cue",   "rpm",  "rad",  "deg",   "mph",
+    static const QStringList allowed{"ThetaLane", "English", "Ctrl", "Space", "Home", "End",  "Enter",
+                                     "Esc",       "cos",     "sin",  "rpm",   "rad",  "deg",  "mph",
                                      "tan",       "CSV",     "PNG",  "PDF",   "JSON", "Shift"};
     // Tags, and calls of the command line.
     static const QRegularExpression tags("<[^>]*>|&[a-z]+;|thetalane( [-a-z]+)*"), word("[A-Za-z]{3,}");

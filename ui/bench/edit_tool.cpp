@@ -4,6 +4,7 @@
 #include "ui/lane/lane_panel.h"
 #include "ui/lane/lane_scene.h"
 #include "ui/lane/lane_view.h"
+#include "ui/words/worked_steps.h"
 
 #include <QKeyEvent>
 
@@ -103,12 +104,11 @@ std::optional<Handle> EditTool::handleAt(const Pointer& pointer) const {
     if (!isActive())
         return std::nullopt;
     const auto handle = [&](std::size_t i, Part part) {
-        const QString tip =
-            part == Part::Tip
-                ? tr("Drag: set the velocity of %1").arg(QString::fromStdString(bodies()[i].id)) + u'\n' +
-                      tr("Keys: N selects a body, Alt and the arrow keys change its velocity")
-                : m_lane.scene().bodyTip(int(i)) + u'\n' + tr("Drag: move it") + u'\n' +
-                      tr("Keys: N selects a body, the arrow keys move it, Delete removes it");
+        const QString tip = part == Part::Tip
+                                ? tr("Drag: set the velocity of %1").arg(bodyName(bodies()[i])) + u'\n' +
+                                      tr("Keys: N selects a body, Alt and the arrow keys change its velocity")
+                                : m_lane.scene().bodyTip(int(i)) + u'\n' + tr("Drag: move it") + u'\n' +
+                                      tr("Keys: N selects a body, the arrow keys move it, Delete removes it");
         return Handle{int(2 * i) + int(part), part == Part::Tip ? Qt::CrossCursor : Qt::SizeAllCursor, tip};
     };
     std::optional<std::size_t> nearest;

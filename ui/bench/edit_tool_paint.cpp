@@ -4,6 +4,7 @@
 #include "ui/lane/arrow.h"
 #include "ui/lane/label.h"
 #include "ui/words/number_text.h"
+#include "ui/words/worked_steps.h"
 
 #include <QPainter>
 
@@ -98,7 +99,7 @@ void EditTool::paintHandle(QPainter& painter, const Pixels& pixels, std::size_t 
 }
 
 QString EditTool::valuesOf(const Body& body, bool velocity) const {
-    const QString name = QString::fromStdString(body.id);
+    const QString name = bodyName(body);
     if (!velocity) {
         const QString x = QStringLiteral("x = %1 m").arg(numberText(body.position.x));
         return m_options.oneLine()

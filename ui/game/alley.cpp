@@ -192,6 +192,8 @@ void Alley::setUp() {
     m_phase = turn ? Phase::Aim : Phase::Over;
     if (turn)
         show(m_aims[turn->player], pinsFor(turn->turn), Foresight::FirstContact);
+    else if (!m_session.currentThrow()) // a finished game was opened: its lane at least
+        show(m_aims.front(), allPins, Foresight::Whole);
     emit changed();
 }
 

@@ -1,7 +1,7 @@
 #include "ui/game/frame_editor.h"
 
-#include "ui/game/frame_deck.h"
 #include "ui/game/game_words.h"
+#include "ui/panels/pin_deck.h"
 #include "ui/words/game_text.h"
 
 #include <QGridLayout>
@@ -57,10 +57,10 @@ void FrameEditor::build() {
     grid->addWidget(m_rolls, 1, 0, 1, mostBalls);
     grid->addWidget(m_hint, 2, 0, 1, mostBalls);
     for (int ball = 0; ball < mostBalls; ++ball) {
-        auto* deck = new FrameDeck(appearance(), this);
+        auto* deck = new PinDeck(appearance(), this);
         deck->setObjectName(QStringLiteral("frameDeck%1").arg(ball + 1));
-        deck->setChoosable(true);
-        connect(deck, &FrameDeck::chosen, this, [this, ball](int pin) { toggle(ball, pin); });
+        deck->setPickable(true);
+        connect(deck, &PinDeck::turned, this, [this, ball](int pin) { toggle(ball, pin); });
         m_names[std::size_t(ball)] = new QLabel(this);
         m_decks[std::size_t(ball)] = deck;
         grid->addWidget(m_names[std::size_t(ball)], 3, ball, Qt::AlignHCenter);
@@ -85,6 +85,8 @@ void FrameEditor::restyle() {
         b->setFont(appearance().font(Appearance::Size::Normal));
     for (QLabel* name : m_names)
         makeQuiet(*name, appearance());
+    for (PinDeck* deck : m_decks) // three side by side
+        deck->setFixedSize(deck->minimumSizeHint());
     makeQuiet(*m_hint, appearance());
     makeMessage(*m_message, appearance());
     place();
@@ -178,7 +180,8 @@ void FrameEditor::showDraft() {
                                     : tr("Ball %1: %2, pins not known").arg(ball + 1).arg(d->pins));
         m_decks[k]->setTitle(m_names[k]->text());
         const PinSet met = turn && turn->pins ? *turn->pins : PinSet{};
-        m_decks[k]->setPins(met, d && d->down ? met & ~*d->down : met);
+        m_decks[k]->setPresent(met);
+        m_decks[k]->setStanding(d && d->down ? met & ~*d->down : met);
     }
     showMessage();
     if (isVisible())

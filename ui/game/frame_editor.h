@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace thetalane {
 
-class FrameDeck;
+class PinDeck;
 
 class FrameEditor : public Panel {
     Q_OBJECT
@@ -48,7 +48,7 @@ private:
     QLineEdit* m_rolls;
     QLabel* m_hint;
     std::array<QLabel*, mostBalls> m_names{};
-    std::array<FrameDeck*, mostBalls> m_decks{};
+    std::array<PinDeck*, mostBalls> m_decks{};
     QLabel* m_message;
     QPushButton* m_apply;
     QPushButton* m_cancel;

@@ -157,6 +157,24 @@ QString announcement(const Game& game, const DeliveryPlace& place) {
                                 : GameWords::tr("Pins down: %1").arg(d.delivery.pins);
 }
 
+const char* announcementTerm(const Game& game, const DeliveryPlace& place) {
+    const Scorecard card = cardOf(game, place.player);
+    const ScoredDelivery& d = card.deliveries()[place.delivery];
+    if (place.delivery + 1 == card.deliveries().size() && card.perfect())
+        return "perfect-game";
+    if (d.delivery.foul)
+        return "foul";
+    if (d.strike)
+        return strikesUpTo(card, place.delivery) > 1 ? "turkey" : "strike";
+    if (d.spare)
+        return "spare";
+    if (isGutterBall(game, game.deliveries[place.player][place.delivery]))
+        return "gutter";
+    if (d.split)
+        return "split";
+    return endsOpenFrame(card, place.delivery) ? "open-frame" : "pinfall";
+}
+
 QString announcementDetail(const Game& game, const DeliveryPlace& place) {
     const Scorecard card = cardOf(game, place.player);
     const ScoredDelivery& d = card.deliveries()[place.delivery];

@@ -23,6 +23,7 @@ QString splitText(const PinSet& standing);
 // What a delivery was, as it is called out: "Strike!", "Turkey!", "7-10 split", "Gutter ball".
 QString announcement(const Game& game, const DeliveryPlace& place);
 // The line below: who, in which frame, what is left; at the end, who won.
+const char* announcementTerm(const Game& game, const DeliveryPlace& place); // of the glossary
 QString announcementDetail(const Game& game, const DeliveryPlace& place);
 // "Minsu wins with 143 points."
 QString winnerText(const Game& game);

@@ -4,6 +4,7 @@
 #include "ui/game/player_row.h"
 #include "ui/game/saved_games_list.h"
 #include "ui/panels/number_field.h"
+#include "ui/words/glossary.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -97,6 +98,14 @@ void NewGamePage::build() {
     m_laneLabel = addChoice("laneChoice", m_lane);
     m_releaseLabel = addChoice("releaseChoice", m_release);
     m_seedLabel = addChoice("seed", m_seed);
+    for (const auto& [label, field, term] : std::initializer_list<std::tuple<QLabel*, QWidget*, const char*>>{
+             {m_rulesLabel, m_rules, "scoring"},
+             {m_laneLabel, m_lane, "oil-pattern"},
+             {m_releaseLabel, m_release, "release"},
+             {m_seedLabel, m_seed, "release"}}) {
+        setTerm(label, term);
+        setTerm(field, term);
+    }
 
     auto* inside = new QWidget;
     inside->setLayout(m_column);
@@ -109,6 +118,7 @@ void NewGamePage::build() {
     m_column->addWidget(m_saved);
     m_column->addStretch(1);
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     scroll->setWidget(inside);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

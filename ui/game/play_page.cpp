@@ -1,14 +1,16 @@
 #include "ui/game/play_page.h"
 
 #include "ui/game/game_words.h"
-#include "ui/game/frame_deck.h"
 #include "ui/game/player_colours.h"
 #include "ui/game/saved_games_list.h"
+#include "ui/panels/pin_deck.h"
+#include "ui/words/glossary.h"
 
 #include <QAccessible>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,15 +40,26 @@ std::vector<DeliveryPlace> inOrder(const Game& game) {
     return places;
 }
 
+// Takes what room there is, and asks for three rows: the rest of the page comes first.
+class DeliveryList : public QListWidget {
+public:
+    using QListWidget::QListWidget;
+    QSize sizeHint() const override { return {200, 3 * row() + 2}; }
+    QSize minimumSizeHint() const override { return {120, 2 * row() + 2}; }
+
+private:
+    int row() const { return std::max(fontMetrics().height(), sizeHintForRow(0)); }
+};
+
 } // namespace
 
 PlayPage::PlayPage(const Context& context, Alley& alley, QWidget* parent)
     : Panel(context, parent)
     , m_alley(alley)
-    , m_column(new QVBoxLayout(this))
+    , m_column(new QVBoxLayout)
     , m_name(new QLabel(this))
     , m_place(new QLabel(this))
-    , m_deck(new FrameDeck(appearance(), this))
+    , m_deck(new PinDeck(appearance(), this))
     , m_standing(new QLabel(this))
     , m_go(new QPushButton(this))
     , m_told(new QLabel(this))
@@ -57,7 +70,7 @@ PlayPage::PlayPage(const Context& context, Alley& alley, QWidget* parent)
     , m_foul(new QPushButton(this))
     , m_again(new QPushButton(this))
     , m_heading(new QLabel(this))
-    , m_list(new QListWidget(this))
+    , m_list(new DeliveryList(this))
     , m_conditions(new QLabel(this))
     , m_leave(new QPushButton(this)) {
     setObjectName(QStringLiteral("playPage"));
@@ -94,6 +107,10 @@ void PlayPage::build() {
     m_again->setObjectName(QStringLiteral("seeAgain"));
     m_list->setObjectName(QStringLiteral("deliveries"));
     m_leave->setObjectName(QStringLiteral("leaveGame"));
+    setTerm(m_place, "frame");
+    setTerm(m_heading, "delivery");
+    setTerm(m_foul, "foul");
+    setTerm(m_conditions, "scoring");
     m_go->setProperty("prominent", true);
     m_leave->setProperty("quiet", true);
     m_foul->setCheckable(true);
@@ -121,8 +138,22 @@ void PlayPage::build() {
     m_column->addLayout(row);
     m_column->addWidget(m_heading);
     m_column->addWidget(m_list, 1);
-    m_column->addWidget(m_conditions);
-    m_column->addWidget(m_leave, 0, Qt::AlignHCenter);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(m_conditions, 1);
+    foot->addWidget(m_leave, 0, Qt::AlignBottom);
+    m_column->addLayout(foot);
+    // Under a score sheet of many rows a projector leaves less room than the page needs.
+    auto* scroll = new QScrollArea(this);
+    auto* inside = new QWidget(scroll);
+    inside->setLayout(m_column);
+    scroll->setWidget(inside);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
 }
 
 void PlayPage::restyle() {
@@ -133,20 +164,20 @@ void PlayPage::restyle() {
                   QStringLiteral("QPushButton { padding: 0 4px; } QPushButton:focus { padding: 0 3px; }"
                                  "QPushButton:checked { background: %1; color: %2; border-color: %1; }"
                                  "QPushButton:disabled { color: %3; }")
-                      .arg(look.error().name(), look.card().name(), look.line().darker(120).name()));
+                      .arg(look.error().name(), look.card().name(), look.faintText().name()));
     m_column->setContentsMargins(2 * unit, 2 * unit, 2 * unit, unit);
     m_column->setSpacing(unit);
     m_name->setFont(look.font(Appearance::Size::Title, true));
     m_place->setFont(look.font(Appearance::Size::Large));
+    m_deck->setFixedSize(look.projector() ? QSize(136, 122) : QSize(96, 87));
     makeQuiet(*m_standing, look);
     m_go->setFont(look.font(Appearance::Size::Large, true));
     m_told->setFont(look.font(Appearance::Size::Title, true));
     m_told->setStyleSheet(QStringLiteral("color: %1;").arg(look.accent().name()));
     m_detail->setFont(look.font(Appearance::Size::Normal));
     m_note->setFont(look.font(Appearance::Size::Normal));
-    m_note->setStyleSheet(
-        QStringLiteral("color: %1; background: %2; padding: %3px; border-radius: 4px;")
-            .arg(look.text().name(), look.projector() ? "#F5DFA8" : "#FBF0D4", QString::number(unit)));
+    m_note->setStyleSheet(QStringLiteral("color: %1; background: %2; padding: %3px; border-radius: 4px;")
+                              .arg(look.text().name(), look.noteGround().name(), QString::number(unit)));
     makeMessage(*m_fault, look);
     for (QPushButton* b : {m_undo, m_foul, m_again, m_leave})
         b->setFont(look.font(Appearance::Size::Normal));
@@ -196,17 +227,22 @@ void PlayPage::showTurn() {
     m_name->setText(playerName(game, turn->player));
     m_place->setText(placeText(turn->turn));
     const PinSet pins = pinsFor(turn->turn);
-    m_deck->setPins(allPins, pins);
+    m_deck->setStanding(pins);
+    m_deck->setToolTip(standingText(pins));
     m_standing->setText(tr("Which pins stand was not entered: the hindmost are set up."));
 }
 
 void PlayPage::showTold() {
-    const auto told = m_alley.told();
+    // While something else is shown, what was bowled last would be taken for it.
+    const auto told = m_alley.phase() == Phase::Replay || m_alley.phase() == Phase::Elsewhere
+                          ? std::nullopt
+                          : m_alley.told();
     m_told->setVisible(told.has_value());
     m_detail->setVisible(told.has_value());
     if (!told)
         return;
     m_told->setText(announcement(m_alley.shown(), *told));
+    setTerm(m_told, announcementTerm(m_alley.shown(), *told));
     m_detail->setText(announcementDetail(m_alley.shown(), *told));
 }
 

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace thetalane {
 
-class FrameDeck;
+class PinDeck;
 
 class PlayPage : public Panel {
     Q_OBJECT
@@ -40,7 +40,7 @@ private:
     QBoxLayout* m_column;
     QLabel* m_name;
     QLabel* m_place;
-    FrameDeck* m_deck;
+    PinDeck* m_deck;
     QLabel* m_standing;
     QPushButton* m_go;
     QLabel* m_told;

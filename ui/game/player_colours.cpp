@@ -24,7 +24,7 @@ std::size_t index(int colour) {
 
 QColor playerColour(int colour) {
     static constexpr std::array<QRgb, mostPlayers> colours{0xff0072B2, 0xffD55E00, 0xff009E73, 0xffCC79A7,
-                                                           0xffE69F00, 0xff56B4E9, 0xff303840, 0xffE8D92C};
+                                                           0xffE69F00, 0xff56B4E9, 0xff7A8590, 0xffE8D92C};
     return QColor(colours[index(colour)]);
 }
 
@@ -32,7 +32,7 @@ QString playerColourName(int colour) {
     const std::array<QString, mostPlayers> names{ColourNames::tr("blue"),   ColourNames::tr("red"),
                                                  ColourNames::tr("green"),  ColourNames::tr("pink"),
                                                  ColourNames::tr("orange"), ColourNames::tr("light blue"),
-                                                 ColourNames::tr("black"),  ColourNames::tr("yellow")};
+                                                 ColourNames::tr("grey"),  ColourNames::tr("yellow")};
     return names[index(colour)];
 }
 

@@ -22,8 +22,8 @@ QString listStyle(const Appearance& a) {
                           "QListWidget::item:selected { background: %3; color: %2; }"
                           "QListWidget:focus { border: 1px solid %4; }"
                           "QListWidget::item:disabled { color: %5; }")
-        .arg(QString::number(a.unit() / 2), a.text().name(), a.projector() ? "#C4DDEE" : "#E3ECF3",
-             a.accent().name(), a.quietText().name());
+        .arg(QString::number(a.unit() / 2), a.text().name(), a.chosen().name(), a.accent().name(),
+             a.quietText().name());
 }
 
 void markAsChooser(QComboBox& box, const Appearance& appearance) {

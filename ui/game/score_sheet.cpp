@@ -2,6 +2,7 @@
 
 #include "ui/game/frame_editor.h"
 #include "ui/game/score_table.h"
+#include "ui/words/glossary.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -36,6 +37,7 @@ ScoreSheet::ScoreSheet(const Context& context, Alley& alley, QWidget* parent)
     , m_scroll(new QScrollArea(this))
     , m_table(new ScoreTable(context, alley)) {
     setObjectName(QStringLiteral("scoreSheet"));
+    setTerm(this, "frame");
     m_scroll->setWidget(m_table);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -82,6 +84,7 @@ void ScoreSheet::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
     m_scroll->setGeometry(rect()); // at once: the row of now is then brought into view
     fit();
+    QMetaObject::invokeMethod(this, &ScoreSheet::bringTurnIntoView, Qt::QueuedConnection);
 }
 
 // As high as its rows, up to four of them (three for a projector); a bar to scroll sideways has its own room.
@@ -94,14 +97,19 @@ void ScoreSheet::fit() {
                    bar);
 }
 
+// By whole rows: none stands half under the header.
 void ScoreSheet::bringIntoView(const QRectF& frame) {
-    const int header = SheetLayout::headerHeight(appearance());
-    const QRect r = frame.toRect();
-    m_scroll->ensureVisible(r.center().x(), r.bottom(), r.width(), 0);
-    m_scroll->ensureVisible(r.center().x(), r.top() - header, r.width(), 0);
+    const int header = SheetLayout::headerHeight(appearance()), row = SheetLayout::rowHeight(appearance());
+    const int shown = std::max(1, (m_scroll->viewport()->height() - header) / row);
+    const int wanted = (int(frame.top()) - header) / row;
+    QScrollBar* bar = m_scroll->verticalScrollBar();
+    bar->setSingleStep(row);
+    bar->setValue(std::clamp((bar->value() + row / 2) / row, wanted - shown + 1, wanted) * row);
+    m_scroll->ensureVisible(int(frame.center().x()), bar->value() + header + 1, int(frame.width()), 0);
 }
 
 void ScoreSheet::bringTurnIntoView() {
+    m_scroll->setGeometry(rect()); // a height that was fitted while hidden comes without an event of its own
     if (const auto turn = m_alley.turn(); turn && !m_table->hasFocus())
         bringIntoView(m_table->sheetLayout().frame(turn->player, turn->turn.frame - 1));
 }

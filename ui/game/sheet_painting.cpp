@@ -112,7 +112,8 @@ private:
     void frame(std::size_t player, int f) {
         const Scorecard& card = m_content.cards[player];
         const int count = m_layout.rollCount(f);
-        m_painter.setPen(QPen(m_look.line(), 1));
+        const bool now = frameOfNow(player) == f; // on a ground that would swallow a hairline
+        m_painter.setPen(QPen(now ? mixed(m_look.card(), m_look.accent(), 0.55) : m_look.line(), 1));
         m_painter.setBrush(Qt::NoBrush);
         for (int r = 1; r < count; ++r) // the first ball stands free, the others in boxes of their own
             m_painter.drawRect(m_layout.roll(player, f, r));

@@ -3,6 +3,7 @@
 #include "ui/game/game_words.h"
 #include "ui/game/player_colours.h"
 #include "ui/game/saved_games_list.h"
+#include "ui/words/glossary.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -99,7 +100,8 @@ void StatisticsPanel::restyle() {
         styleSheet() +
         QStringLiteral(
             "QTableCornerButton::section { background: transparent; border: none; }"
-            "QHeaderView:vertical, QHeaderView::section:vertical { border: none; padding: 2px 4px 2px 0; }"
+            "QTableView::corner, QAbstractScrollArea::corner { background: transparent; border: none; }"
+            "QHeaderView:vertical, QHeaderView::section:vertical { border: none; padding: 0 4px 3px 0; }"
             "QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }"
             "QScrollBar::handle:horizontal { background: %1; border-radius: 4px;"
             " min-width: 32px; margin: 1px; }")
@@ -127,6 +129,11 @@ void StatisticsPanel::retranslate() {
         tr("Games"),       tr("Average"), tr("Best game"),           tr("Strikes"),    tr("Spares"),
         tr("Open frames"), tr("Splits"),  tr("First ball, average"), tr("Pocket hits")};
     m_table->setVerticalHeaderLabels(QStringList(names.begin(), names.end()));
+    static constexpr std::array<const char*, rowCount> terms{
+        nullptr, nullptr, "perfect-game", "strike", "spare", "open-frame", "split", "pinfall", "pocket"};
+    for (int r = 0; r < rowCount; ++r)
+        if (terms[std::size_t(r)])
+            m_table->verticalHeaderItem(r)->setData(termRole, QString::fromLatin1(terms[std::size_t(r)]));
     fitNames();
     refresh();
 }

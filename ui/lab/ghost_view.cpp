@@ -2,6 +2,7 @@
 
 #include "ui/lab/lab_plot.h"
 #include "ui/lab/lab_words.h"
+#include "ui/lab/line_sample.h"
 #include "ui/lane/arrow.h"
 #include "ui/lane/extent.h"
 #include "ui/lane/floor.h"
@@ -131,7 +132,9 @@ void GhostView::setWords(const QString& name, const QString& empty) {
 }
 
 MethodStyle GhostView::styleOf(std::size_t ghost) const {
-    return rowStyle(*m_result->plan, ghosts()->all[ghost].row);
+    MethodStyle style = rowStyle(*m_result->plan, ghosts()->all[ghost].row);
+    style.colour = seenColour(style.colour, m_appearance);
+    return style;
 }
 
 QTransform GhostView::transform() const {

@@ -3,6 +3,7 @@
 #include "ui/lab/ghost_box.h"
 #include "ui/lab/lab_table.h"
 #include "ui/lab/lab_words.h"
+#include "ui/lab/line_sample.h"
 #include "ui/lab/method_choice.h"
 #include "ui/lab/preset_row.h"
 #include "ui/panels/icon_button.h"
@@ -58,6 +59,7 @@ LabPanel::LabPanel(const Context& context, QWidget* parent, double share)
 
 void LabPanel::build(const Context& context) {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     m_column = new QVBoxLayout(inside);
     m_presets = new PresetRow(context, inside);
@@ -104,6 +106,8 @@ QWidget* LabPanel::makeDials() {
     m_perSecond = new ValueRow(appearance(), QStringLiteral("labSteps"), {10, 240, 1, 10}, "1/s", m_dials);
     m_speed->setValue(first.speed);
     m_perSecond->setValue(first.perSecond);
+    m_speed->setTerm("speed");
+    m_perSecond->setTerm("time-step");
     auto* layout = new QVBoxLayout(m_dials);
     layout->setContentsMargins(0, 0, 0, 0);
     for (ValueRow* row : {m_speed, m_perSecond}) {
@@ -143,15 +147,21 @@ QWidget* LabPanel::makeDiagram() {
     auto* layout = new QGridLayout(m_diagram);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_diagrams, 0, 0);
-    layout->addWidget(new IconMark(appearance(), Icon::Down, m_diagram), 0, 0,
-                      Qt::AlignRight | Qt::AlignVCenter);
+    auto* mark = new QHBoxLayout(m_diagrams); // which is hidden where there is one diagram
+    mark->setContentsMargins(0, 0, 0, 0);
+    mark->addWidget(new IconMark(appearance(), Icon::Down, m_diagrams), 0, Qt::AlignRight | Qt::AlignVCenter);
     layout->addWidget(m_plot, 1, 0);
     return m_diagram;
 }
 
 void LabPanel::retranslate() {
-    m_hint->setText(
-        tr("Press a question: it is measured on this machine, and answered with what was found."));
+    QString hint = QStringLiteral("<p>") +
+                   tr("Press a question: it is measured on this machine, and answered with what was found.") +
+                   QStringLiteral("</p>");
+    for (int k = 0; k < presetCount; ++k)
+        hint += QStringLiteral("<p><b>%1</b><br>%2</p>")
+                    .arg(presetName(Preset(k)).toHtmlEscaped(), presetQuestion(Preset(k)).toHtmlEscaped());
+    m_hint->setText(hint);
     m_speed->setWords(tr("Speed of the ball"), tr("How fast the ball comes at the pin"));
     m_perSecond->setWords(tr("Steps per second, 1/h"), tr("How often the paper's loop looks for overlap"));
     m_bar->setAccessibleName(tr("Progress of the measurement"));
@@ -193,6 +203,7 @@ void LabPanel::restyle() {
     style.lineWidth = look.lineWidth();
     style.locale = QLocale::c();
     m_plot->setStyle(style);
+    showPlot();
 }
 
 void LabPanel::choose(Preset preset) {
@@ -314,6 +325,8 @@ void LabPanel::showPlot() {
     if (!m_result || m_diagrams->count() == 0)
         return;
     m_shown = labPlot(*m_result, diagram());
+    for (PlotSeries& series : m_shown.plot.series)
+        series.colour = seenColour(series.colour, appearance());
     m_plot->setPlot(m_shown.plot);
 }
 

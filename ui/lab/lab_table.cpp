@@ -3,6 +3,7 @@
 #include "ui/lab/lab_plot.h"
 #include "ui/lab/lab_words.h"
 #include "ui/lab/line_sample.h"
+#include "ui/words/glossary.h"
 #include "ui/words/method_text.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
@@ -63,6 +64,10 @@ void LabTable::retranslate() {
            "does")};
     for (int c = 0; c < ColumnCount; ++c)
         horizontalHeaderItem(c)->setToolTip(tips[c]);
+    horizontalHeaderItem(Name)->setData(termRole, QStringLiteral("engine"));
+    horizontalHeaderItem(Error)->setData(termRole, QStringLiteral("error"));
+    horizontalHeaderItem(Same)->setData(termRole, QStringLiteral("pinfall"));
+    horizontalHeaderItem(Difference)->setData(termRole, QStringLiteral("sensitivity"));
     fill();
 }
 

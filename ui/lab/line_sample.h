@@ -9,6 +9,9 @@
 
 namespace thetalane {
 
+// A row's colour as it stands out from the ground: lighter in the dark.
+QColor seenColour(const QColor& colour, const Appearance& appearance);
+
 QSize lineSampleSize(const Appearance& appearance);
 QIcon lineSample(const MethodStyle& style, const Appearance& appearance);
 

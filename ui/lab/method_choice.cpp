@@ -2,6 +2,7 @@
 
 #include "ui/lab/flow_layout.h"
 #include "ui/lab/lab_plan.h"
+#include "ui/words/glossary.h"
 #include "ui/words/method_text.h"
 
 #include <QLabel>
@@ -38,6 +39,18 @@ QString shortName(const Method& method) {
                                       : step;
 }
 
+const char* termOf(const Method& method) {
+    switch (method.settings.kind) {
+    case EngineKind::Event:
+        return "next-event";
+    case EngineKind::Stepped:
+        return "papers-loop";
+    case EngineKind::Swept:
+        break;
+    }
+    return "swept-steps";
+}
+
 } // namespace
 
 MethodChoice::MethodChoice(const Context& context, QWidget* parent)
@@ -66,12 +79,16 @@ void MethodChoice::addFamilies() {
         if (family == m_families.end()) {
             auto* flow = new FlowLayout;
             family = m_families.insert(family, {new QLabel(this), flow, method});
+            setTerm(family->name, termOf(method));
             auto* column = static_cast<QVBoxLayout*>(layout());
             column->addWidget(family->name);
             column->addLayout(flow);
         }
         auto* button = new QPushButton(this);
         button->setObjectName(QStringLiteral("method%1").arg(k));
+        setTerm(button, !method.without.empty()                     ? termOf(method)
+                        : method.settings.kind == EngineKind::Event ? "floating-point"
+                                                                    : "time-step");
         button->setProperty("chip", true);
         button->setCheckable(true);
         button->setChecked(k < chosenAtFirst);
@@ -112,8 +129,9 @@ void MethodChoice::restyle() {
                        "QPushButton[chip=\"true\"]:focus { padding: 0 7px; }"
                        "QPushButton[chip=\"true\"]:checked { background: %1; color: %2; border-color: "
                        "%1; }"
+                       "QPushButton[chip=\"true\"]:checked:focus { border: 2px solid %4; padding: 0 7px; }"
                        "QPushButton[chip=\"true\"]:disabled { color: %3; }")
-            .arg(look.accent().name(), look.card().name(), look.line().name()));
+            .arg(look.accent().name(), look.card().name(), look.line().name(), look.text().name()));
     layout()->setSpacing(look.unit() / 2);
     for (Family& f : m_families) {
         makeQuiet(*f.name, look);

@@ -1,13 +1,22 @@
 #include "ui/lab/preset_row.h"
 
 #include "ui/lab/lab_words.h"
+#include "ui/words/glossary.h"
 
 #include <QGridLayout>
 #include <QPushButton>
 
 #include <algorithm>
+#include <array>
 
 namespace thetalane {
+namespace {
+
+// What each of them is about; the last one the scene in the window.
+constexpr std::array<const char*, presetCount + 1> terms{
+    "tunnelling", "papers-loop", "time-step", "floating-point", "friction", "sensitivity", "engine"};
+
+} // namespace
 
 PresetRow::PresetRow(const Context& context, QWidget* parent)
     : Panel(context, parent)
@@ -19,6 +28,7 @@ PresetRow::PresetRow(const Context& context, QWidget* parent)
         button->setObjectName(k < presetCount ? QStringLiteral("preset%1").arg(k)
                                               : QStringLiteral("ownScene"));
         button->setProperty("preset", true);
+        setTerm(button, terms[std::size_t(k)]);
         button->setCheckable(true);
         connect(button, &QPushButton::clicked, this, [this, k] {
             setChosen(k);
@@ -56,8 +66,9 @@ void PresetRow::restyle() {
     const Appearance& look = appearance();
     setStyleSheet(styleSheet() +
                   QStringLiteral("QPushButton[preset=\"true\"]:checked { background: %1; color: %2; "
-                                 "border-color: %1; }")
-                      .arg(look.accent().name(), look.card().name()));
+                                 "border-color: %1; }"
+                                 "QPushButton[preset=\"true\"]:checked:focus { border: 2px solid %3; }")
+                      .arg(look.accent().name(), look.card().name(), look.text().name()));
     m_grid->setSpacing(look.unit() / 2);
     for (QPushButton* b : m_buttons) {
         b->setFont(look.font(Appearance::Size::Normal));

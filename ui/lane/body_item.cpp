@@ -3,6 +3,7 @@
 #include "core/scene/bowling_scene.h"
 #include "ui/lane/arrow.h"
 #include "ui/lane/scale.h"
+#include "ui/words/worked_steps.h"
 
 #include <QFontMetricsF>
 #include <QPainterPath>
@@ -43,17 +44,29 @@ const QPainterPath& pinOutline() {
     return outline;
 }
 
+QString wordName(const std::string& id) {
+    Body body;
+    body.id = id;
+    return bodyName(body);
+}
+
 } // namespace
 
 BodyItem::BodyItem(const Body& body, Ink ink, bool nameBeside, const Appearance& appearance)
     : m_appearance(appearance)
     , m_kind(body.kind)
     , m_radius(body.radius * unitsPerMetre)
-    , m_name(QString::fromStdString(body.id))
     , m_ink(ink)
     , m_nameBeside(nameBeside) {
     setZValue(1);
-    QFont font = appearance.font(Appearance::Size::Normal, true);
+    takeName(bodyName(body));
+    if (isWordName(body))
+        m_id = body.id;
+}
+
+void BodyItem::takeName(const QString& name) {
+    m_name = name;
+    QFont font = m_appearance.font(Appearance::Size::Normal, true);
     font.setPixelSize(100);
     m_nameWidth = std::max(QFontMetricsF(font).horizontalAdvance(m_name) / 100, 0.1);
 }
@@ -131,6 +144,9 @@ QColor BodyItem::edge() const {
 }
 
 void BodyItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (!m_id.empty())
+        if (const QString name = wordName(m_id); name != m_name)
+            takeName(name);
     const QPointF at = painter->worldTransform().map(QPointF(0, 0));
     const double painterScale = painter->worldTransform().m11();
     double radius = m_radius * painterScale;

@@ -49,6 +49,7 @@ private:
     void paintPin(QPainter& painter, const QPointF& at, double radius) const;
     void paintLying(QPainter& painter, const QPointF& at, double perMetre) const;
     void placeInDepth();
+    void takeName(const QString& name);
     void paintName(QPainter& painter, const QPointF& at, double radius) const;
 
     const Appearance& m_appearance;
@@ -63,7 +64,8 @@ private:
     bool m_lost = false;
     std::optional<Orientation> m_turn;
     std::optional<double> m_tipped;
-    Vec2d m_along; // unit, where it is tipped
+    Vec2d m_along;    // unit, where it is tipped
+    std::string m_id; // of a name that is a word, and so another one in another language
 };
 
 } // namespace thetalane

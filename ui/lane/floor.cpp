@@ -229,7 +229,7 @@ void paintLane(QPainter& painter, const Pixels& px, const Scene& scene, const La
     if (scene.friction)
         paintOil(painter, px, scene, look, all);
     painter.fillRect(px.rect({lane.left - outer, lane.end}, {lane.right + outer, lane.end + lane.pitDepth}),
-                     mixed(look.quietText(), look.gutter(), 0.55));
+                     mixed(look.dark() ? look.window() : look.quietText(), look.gutter(), 0.55));
     paintMarks(painter, px, lane, look);
     const QRectF sides = px.rect({lane.left - outer, start}, {lane.right + outer, lane.end + lane.pitDepth});
     painter.setPen(QPen(mixed(look.quietText(), look.gutter(), 0.5), 1));

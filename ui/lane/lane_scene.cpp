@@ -10,6 +10,7 @@
 #include "ui/words/instant.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
+#include "ui/words/worked_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,7 +208,7 @@ void LaneScene::setHovered(std::optional<int> body) {
 
 QString LaneScene::bodyTip(int body) const {
     const Body& b = m_run->scene.bodies[std::size_t(body)];
-    QStringList lines{QString::fromStdString(b.id), tr("Mass %1 kg").arg(numberText(b.mass))};
+    QStringList lines{bodyName(b), tr("Mass %1 kg").arg(numberText(b.mass))};
     lines << motionOf(body);
     if (nextCollisionOf(body))
         lines << tr("Click: open its next collision");

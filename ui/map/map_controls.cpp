@@ -4,6 +4,7 @@
 #include "ui/panels/icon_button.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/panel.h"
+#include "ui/words/glossary.h"
 #include "ui/words/scene_text.h"
 
 #include <QComboBox>
@@ -79,6 +80,9 @@ MapControls::MapControls(const Context& context, int cells, QWidget* parent)
     fillQuantities();
     m_up->setCurrentIndex(m_up->findData(int(MapQuantity::Angle)));
     m_shown = {MapQuantity::Offset, MapQuantity::Angle};
+    nameTerms();
+    setTerm(m_e, "restitution");
+    setTerm(m_restitution, "restitution");
     connectAll();
     restyle();
     retranslate();
@@ -119,6 +123,7 @@ void MapControls::choose(QComboBox* chosen, QComboBox* other, std::size_t axis) 
         m_shown[1 - axis] = m_shown[axis];
     }
     m_shown[axis] = quantity;
+    nameTerms();
     emit changed();
 }
 
@@ -143,6 +148,12 @@ void MapControls::fillQuantities() {
     if (m_across->currentData() == m_up->currentData())
         m_up->setCurrentIndex(m_across->currentIndex() == 0 ? 1 : 0);
     m_shown = {MapQuantity(m_across->currentData().toInt()), MapQuantity(m_up->currentData().toInt())};
+    nameTerms();
+}
+
+void MapControls::nameTerms() {
+    setTerm(m_across, quantityTerm(m_shown[0]));
+    setTerm(m_up, quantityTerm(m_shown[1]));
 }
 
 MapAxis MapControls::axisOf(MapQuantity quantity) const {

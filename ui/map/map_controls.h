@@ -39,6 +39,7 @@ private:
     void connectAll();
     void choose(QComboBox* chosen, QComboBox* other, std::size_t axis);
     void fillQuantities();
+    void nameTerms();
     void showBalls();
     void showMessage();
     void restyle();

@@ -1,29 +1,21 @@
 #include "ui/map/map_panel.h"
 
-#include "core/format/map_csv.h"
 #include "ui/map/map_controls.h"
 #include "ui/map/map_legend.h"
 #include "ui/map/map_words.h"
 #include "ui/panels/pin_deck.h"
-#include "ui/plot/strike_map_figure.h"
+#include "ui/words/glossary.h"
 
-#include <QBuffer>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
 namespace thetalane {
 namespace {
-
-constexpr QSize pictureSize(1380, 1020); // as of the command line
 
 bool isOffsetOverAngle(const MapSettings& s) {
     return s.across.quantity == MapQuantity::Offset && s.up.quantity == MapQuantity::Angle;
@@ -58,16 +50,19 @@ MapPanel::MapPanel(const Context& context, QWidget* parent, int cells)
 
 void MapPanel::build() {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     m_column = new QVBoxLayout(inside);
     m_note = new QLabel(inside);
     m_note->setObjectName(QStringLiteral("mapNote"));
     m_note->setWordWrap(true);
+    setTerm(this, "strike-map");
+    setTerm(m_note, "pinfall");
+    setTerm(m_legend, "pinfall");
     m_column->addWidget(m_controls);
     m_column->addWidget(makeProgress());
     m_column->addWidget(m_view);
     m_column->addWidget(m_legend);
-    m_column->addWidget(makePointed());
     m_column->addWidget(m_note);
     m_column->addWidget(makeButtons());
     m_column->addStretch(1);
@@ -77,7 +72,10 @@ void MapPanel::build() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll);
+    layout->setSpacing(0);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(makePointed()); // in sight while one points at the map, however low the window
+    layout->addStretch(0);
 }
 
 QWidget* MapPanel::makePointed() {
@@ -91,6 +89,7 @@ QWidget* MapPanel::makePointed() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_deck);
     layout->addWidget(m_pointed, 1);
+    m_deck->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     return box;
 }
 
@@ -99,6 +98,7 @@ QWidget* MapPanel::makeProgress() {
     m_state = new QLabel(m_progress);
     m_state->setObjectName(QStringLiteral("mapState"));
     m_state->setWordWrap(true);
+    setTerm(m_state, "strike-map");
     m_bar = new QProgressBar(m_progress);
     m_bar->setObjectName(QStringLiteral("mapProgress"));
     m_bar->setRange(0, 1000);
@@ -147,7 +147,7 @@ void MapPanel::retranslate() {
     m_controls->retranslate();
     m_bar->setAccessibleName(tr("Progress of the map"));
     m_bar->setToolTip(m_bar->accessibleName());
-    m_deck->setAccessibleName(tr("Pins left standing"));
+    m_deck->setTitle(tr("Pins left standing"));
     m_deck->setToolTip(tr("What the throw that is pointed at leaves standing"));
     m_csv->setText(tr("Table …"));
     m_csv->setAccessibleName(tr("Save the map as a table"));
@@ -175,13 +175,21 @@ void MapPanel::restyle() {
     m_bar->setStyleSheet(QStringLiteral("QProgressBar { border: none; border-radius: 2px; background: %1; }"
                                         "QProgressBar::chunk { border-radius: 2px; background: %2; }")
                              .arg(a.line().name(), a.accent().name()));
-    const int deck = a.projector() ? 116 : 84;
+    m_deck->parentWidget()->layout()->setContentsMargins(unit, unit / 2, unit, unit / 2);
+    const int deck = a.projector() ? 92 : 68;
     m_deck->setFixedSize(deck, int(deck * 0.88));
+    m_deck->parentWidget()->setMinimumHeight(m_deck->height() + unit); // nothing jumps when one points
 }
 
 void MapPanel::showEvent(QShowEvent* event) {
     startIfOther();
     Panel::showEvent(event);
+}
+
+// Where there is room for all of it, what is pointed at is read right below.
+void MapPanel::resizeEvent(QResizeEvent* event) {
+    findChild<QScrollArea*>()->setMaximumHeight(m_column->totalHeightForWidth(width()));
+    Panel::resizeEvent(event);
 }
 
 void MapPanel::startIfOther() {
@@ -290,50 +298,6 @@ void MapPanel::throwIt(MapView::Place place) {
     playhead().setTime(0);
     playhead().setPlaying(true);
     emit thrown();
-}
-
-// Not modal: the lane goes on behind it.
-void MapPanel::ask(const QString& title, const QString& filter, const QString& suffix,
-                   bool (MapPanel::*saveAs)(const QString&)) {
-    auto* dialog = new QFileDialog(this, title);
-    dialog->setObjectName(QStringLiteral("mapSaveDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(filter);
-    dialog->setDefaultSuffix(suffix);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, saveAs](const QString& path) { (this->*saveAs)(path); });
-    dialog->open();
-}
-
-bool MapPanel::saveCsv(const QString& path) {
-    return map() && save(path, mapCsv(*map()));
-}
-
-bool MapPanel::savePicture(const QString& path) {
-    if (!map())
-        return false;
-    QImage image(pictureSize, QImage::Format_RGB32);
-    QPainter painter(&image);
-    painter.setFont(appearance().font(Appearance::Size::Normal));
-    paintStrikeMap(painter, QRectF(image.rect()), *map());
-    painter.end();
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    return image.save(&buffer, "PNG") && save(path, bytes);
-}
-
-// Whole, or not at all: under another name first, then renamed.
-bool MapPanel::save(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    const bool done =
-        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
-    const QString name = QFileInfo(path).fileName(), why = done ? QString() : file.errorString();
-    m_saved = [done, name, why] {
-        return done ? tr("Saved: %1").arg(name) : tr("%1 cannot be written: %2").arg(name, why);
-    };
-    showState();
-    return done;
 }
 
 } // namespace thetalane

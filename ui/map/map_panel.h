@@ -42,6 +42,7 @@ signals:
 protected:
     void restyle() override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void build();

@@ -65,6 +65,22 @@ QString quantityName(MapQuantity quantity) {
     return MapText::tr("Ball weight");
 }
 
+const char* quantityTerm(MapQuantity quantity) {
+    switch (quantity) {
+    case MapQuantity::Offset:
+        return "offset";
+    case MapQuantity::Angle:
+        return "entry-angle";
+    case MapQuantity::Speed:
+        return "speed";
+    case MapQuantity::Spin:
+        return "angular-velocity";
+    case MapQuantity::Mass:
+        break;
+    }
+    return "mass";
+}
+
 QString quantityValue(MapQuantity quantity, double value) {
     const QString number = numberText(inShownUnit(quantity, value), 3);
     switch (quantity) {

@@ -9,6 +9,7 @@
 namespace thetalane {
 
 QString quantityName(MapQuantity quantity);                // "Offset", short enough for a list
+const char* quantityTerm(MapQuantity quantity);            // of the glossary
 QString quantityValue(MapQuantity quantity, double value); // "6.8 cm", SI in
 
 // "6.8 cm, 5.6°": where on the map a cell is.

@@ -42,6 +42,7 @@ BodiesPanel::BodiesPanel(const Context& context, EditOptions& options, QWidget* 
     m_add->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the lane
     m_more->setWordWrap(true);
     build();
+    m_restitution->setTerm("restitution");
     connect(m_restitution, &ValueRow::edited, this, &BodiesPanel::apply);
     connect(m_restitution, &ValueRow::becameUnreadable, this, &BodiesPanel::apply);
     connect(m_add, &QPushButton::clicked, this, &BodiesPanel::addBody);
@@ -61,6 +62,7 @@ BodiesPanel::BodiesPanel(const Context& context, EditOptions& options, QWidget* 
 
 void BodiesPanel::build() {
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     inside->setLayout(m_column);
     scroll->setWidget(inside);

@@ -6,8 +6,10 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/panel.h"
 #include "ui/panels/value_slider.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
+#include "ui/words/worked_steps.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -104,6 +106,16 @@ void BodyGroup::buildFields() {
     static constexpr const char* names[] = {"Mass", "Radius", "Speed", "Direction", "X",
                                             "Y",    "SpinX",  "SpinY", "SpinZ",     "Inertia"};
     static constexpr const char* units[] = {"kg", "m", "m/s", "°", "m", "m", "rad/s", "rad/s", "rad/s", ""};
+    static constexpr const char* terms[] = {"mass",
+                                            "radius",
+                                            "speed",
+                                            "direction",
+                                            nullptr,
+                                            nullptr,
+                                            "angular-velocity",
+                                            "angular-velocity",
+                                            "angular-velocity",
+                                            "moment-of-inertia"};
     static constexpr double steps[] = {0.1, 0.01, 0.1, 1, 0.01, 0.01, 1, 1, 1, 0.01};
     static constexpr double spans[][2] = {{0.1, 10}, {0.02, 0.3}}; // of the sliders
     const QString name = QStringLiteral("body%1").arg(m_index);
@@ -117,6 +129,9 @@ void BodyGroup::buildFields() {
             m_fields[at]->setStep(steps[f]);
         m_labels[at] = new QLabel(this);
         m_labels[at]->setBuddy(m_fields[at]->edit());
+        if (terms[f])
+            for (QWidget* about : std::initializer_list<QWidget*>{m_labels[at], m_fields[at]})
+                setTerm(about, terms[f]);
         const int row = 2 + f / 2 * 4;
         m_grid->addWidget(m_labels[at], row, f % 2);
         m_grid->addWidget(m_fields[at], row + 1, f % 2);
@@ -186,7 +201,7 @@ void BodyGroup::retranslate() {
         if (f >= SpinX && f <= SpinZ) // and as bowlers count
             hint += QStringLiteral(" rad/s = %1 rpm").arg(numberText(value * 30 / std::numbers::pi));
         m_labels[f]->setText(names[f]);
-        const QString name = QStringLiteral("%1, %2").arg(QString::fromStdString(m_body.id), names[f]);
+        const QString name = QStringLiteral("%1, %2").arg(bodyName(m_body), names[f]);
         m_fields[f]->setWords(name, hint);
         if (f < m_sliders.size())
             m_sliders[f]->setWords(name, hint);
@@ -197,8 +212,7 @@ void BodyGroup::retranslate() {
     m_kind->setItemText(int(BodyKind::Pin), tr("Pin"));
     m_kind->setToolTip(tr("Ball or pin: they look different; on a floor with friction balls roll"));
     m_kind->setAccessibleName(tr("Kind"));
-    m_remove->setWords(tr("Remove %1").arg(QString::fromStdString(m_body.id)),
-                       tr("Remove %1").arg(QString::fromStdString(m_body.id)));
+    m_remove->setWords(tr("Remove %1").arg(bodyName(m_body)), tr("Remove %1").arg(bodyName(m_body)));
 }
 
 void BodyGroup::showFields(bool turns) {

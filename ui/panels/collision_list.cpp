@@ -4,6 +4,7 @@
 #include "ui/panels/collision_delegate.h"
 #include "ui/panels/collision_model.h"
 #include "ui/panels/icon_button.h"
+#include "ui/words/glossary.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -31,6 +32,7 @@ CollisionList::CollisionList(const Context& context, QWidget* parent)
     , m_empty(new QLabel(this))
     , m_stack(new QStackedLayout(this)) {
     m_table->setObjectName(QStringLiteral("collisionTable"));
+    setTerm(this, "collision");
     m_table->setModel(m_model);
     m_table->setItemDelegate(new CollisionDelegate(appearance(), m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -105,6 +107,9 @@ void CollisionList::restyle() {
     const QFontMetrics metrics(text);
     QHeaderView* header = m_table->horizontalHeader();
     header->setFont(appearance().font(Appearance::Size::Small));
+    // A style sheet takes a header's font away, and its height with it.
+    header->setStyleSheet(QStringLiteral("QHeaderView::section { font-size: %1px; }")
+                              .arg(appearance().pixels(Appearance::Size::Small)));
     header->setMinimumSectionSize(24);
     m_table->verticalHeader()->setMinimumSectionSize(24);
     m_table->verticalHeader()->setDefaultSectionSize(large ? 36 : 26);
@@ -137,10 +142,10 @@ void CollisionList::fitColumns() {
         const QString words = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const int wide = std::max(text.horizontalAdvance(longest),
                                   heading.size(Qt::TextSingleLine, words.section(u'\n', 0, 0)).width());
-        m_table->setColumnWidth(column, wide + 14);
+        m_table->setColumnWidth(column, wide + 10);
     };
     const QString digits = countText(std::max<std::int64_t>(10, m_model->numberOf(m_model->rowCount() - 1)));
-    fit(CollisionModel::Number, QString(digits.size(), u'0') + QStringLiteral("00")); // and the bracket
+    fit(CollisionModel::Number, QString(digits.size(), u'0') + u'0'); // and the bracket
     const QModelIndex last = m_model->index(m_model->rowCount() - 1, CollisionModel::Time);
     fit(CollisionModel::Time, last.isValid() ? last.data().toString() : QStringLiteral("0.0000"));
     for (const int column : {CollisionModel::Impulse, CollisionModel::EnergyLoss})

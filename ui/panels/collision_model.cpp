@@ -1,6 +1,7 @@
 #include "ui/panels/collision_model.h"
 
 #include "ui/count_text.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/worked_steps.h"
 
@@ -104,6 +105,11 @@ QVariant CollisionModel::headerData(int section, Qt::Orientation orientation, in
         return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignBottom | (section == Bodies ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == termRole)
+        return section == Impulse      ? QStringLiteral("impulse")
+               : section == EnergyLoss ? QStringLiteral("energy-loss")
+               : section == Bodies     ? QStringLiteral("collision")
+                                       : QVariant();
     const bool brief = role == Qt::DisplayRole;
     if (!brief && role != Qt::ToolTipRole)
         return {};

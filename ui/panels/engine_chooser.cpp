@@ -1,6 +1,7 @@
 #include "ui/panels/engine_chooser.h"
 
 #include "ui/panels/icon_button.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
 
@@ -122,6 +123,9 @@ void EngineChooser::showCurrent() {
     const EngineSettings& settings = session().run()->settings;
     m_combo->setPlaceholderText(engineText(settings));
     m_combo->setCurrentIndex(indexOf(settings));
+    setTerm(m_combo, settings.kind == EngineKind::Event     ? "next-event"
+                     : settings.kind == EngineKind::Stepped ? "papers-loop"
+                                                            : "swept-steps");
 }
 
 void EngineChooser::choose(int index) {

@@ -62,7 +62,8 @@ void NumberField::restyle() {
     m_unitButton->setFixedWidth(m_unit->width());
     m_unitButton->setStyleSheet(
         QStringLiteral("QPushButton { border: none; background: transparent; padding: 0; text-align: left; "
-                       "color: %1; } QPushButton:hover, QPushButton:focus { text-decoration: underline; }")
+                       "color: %1; } QPushButton:hover { text-decoration: underline; } "
+                       "QPushButton:focus { border-bottom: 2px solid %1; }")
             .arg(m_appearance.accent().name()));
 }
 

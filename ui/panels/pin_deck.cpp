@@ -26,13 +26,38 @@ double spacingIn(const QRectF& where) {
     return std::min(where.width() / wide, where.height() / deep);
 }
 
-void paintNumber(QPainter& p, const QPointF& at, double radius, int number, const Appearance& a) {
-    QFont font = a.font(Appearance::Size::Normal, true);
-    font.setPixelSize(std::max(7, int(std::lround(radius * 1.05))));
+void paintNumber(QPainter& p, const QPointF& at, double radius, int number, const QColor& colour,
+                 const Appearance& a) {
+    QFont font = a.font(Appearance::Size::Small, true);
+    font.setPixelSize(std::max(font.pixelSize(), int(std::lround(radius * 1.05))));
     p.setFont(font);
-    p.setPen(a.text());
+    p.setPen(colour);
     p.drawText(QRectF(at.x() - 2 * radius, at.y() - radius, 4 * radius, 2 * radius), Qt::AlignCenter,
                QString::number(number));
+}
+
+void paintStanding(QPainter& p, const QPointF& at, double radius, int number, const Appearance& a) {
+    const bool readable = radius >= 0.8 * a.pixels(Appearance::Size::Small);
+    const double line = std::clamp(radius * 0.16, 1.0, a.lineWidth());
+    p.setPen(QPen(a.text(), line));
+    p.setBrush(readable ? a.pin() : a.text());
+    p.drawEllipse(at, radius - line / 2, radius - line / 2);
+    if (readable)
+        paintNumber(p, at, radius, number, a.text(), a);
+}
+
+void paintSpot(QPainter& p, const QPointF& at, double radius, const Appearance& a) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(a.projector() ? a.quietText() : a.dark() ? a.line().lighter(140) : a.gutter().darker(115));
+    p.drawEllipse(at, 0.28 * radius, 0.28 * radius);
+}
+
+// One that can be set up again.
+void paintLying(QPainter& p, const QPointF& at, double radius, int number, const Appearance& a) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(a.dark() || a.projector() ? a.hover() : a.line());
+    p.drawEllipse(at, radius, radius);
+    paintNumber(p, at, radius, number, a.quietText(), a);
 }
 
 } // namespace
@@ -54,22 +79,11 @@ void paintPinDeck(QPainter& p, const QRectF& where, const PinSet& standing, cons
     p.save();
     p.setRenderHint(QPainter::Antialiasing);
     const double radius = deckPinRadius(where);
-    const double readable = a.projector() ? 9 : 7;
-    for (int k = 0; k < 10; ++k) {
-        const QPointF at = deckPinCentre(where, k);
-        if (!standing[std::size_t(k)]) {
-            p.setPen(Qt::NoPen);
-            p.setBrush(a.projector() ? a.quietText() : a.gutter().darker(115));
-            p.drawEllipse(at, 0.28 * radius, 0.28 * radius);
-            continue;
-        }
-        const double line = std::clamp(radius * 0.16, 1.0, a.lineWidth());
-        p.setPen(QPen(a.text(), line));
-        p.setBrush(radius < readable ? a.text() : a.pin());
-        p.drawEllipse(at, radius - line / 2, radius - line / 2);
-        if (radius >= readable)
-            paintNumber(p, at, radius, k + 1, a);
-    }
+    for (int k = 0; k < 10; ++k)
+        if (standing[std::size_t(k)])
+            paintStanding(p, deckPinCentre(where, k), radius, k + 1, a);
+        else
+            paintSpot(p, deckPinCentre(where, k), radius, a);
     p.restore();
 }
 
@@ -100,6 +114,16 @@ void PinDeck::setStanding(const PinSet& standing) {
     update();
 }
 
+void PinDeck::setPresent(const PinSet& present) {
+    m_present = present;
+    update();
+}
+
+void PinDeck::setTitle(const QString& title) {
+    m_title = title;
+    retranslate();
+}
+
 void PinDeck::setPickable(bool on) {
     m_pickable = on;
     setMouseTracking(on);
@@ -128,18 +152,21 @@ int PinDeck::pinAt(const QPointF& point) const {
     const double reach = deckPinRadius(deck()) / painted / 2; // up to half-way to the next one
     for (int k = 0; k < 10; ++k) {
         const QPointF d = point - deckPinCentre(deck(), k);
-        if (std::hypot(d.x(), d.y()) <= reach)
+        if (m_present[std::size_t(k)] && std::hypot(d.x(), d.y()) <= reach)
             return k;
     }
     return -1;
 }
 
 void PinDeck::toggle(int pin) {
+    if (!m_present[std::size_t(pin)])
+        return;
     m_current = pin;
     m_standing.flip(std::size_t(pin));
     describe();
     update();
     emit picked(m_standing);
+    emit turned(pin);
 }
 
 // To the nearest pin that lies that way: along the row, or to the row before or behind.
@@ -186,19 +213,23 @@ void PinDeck::paintEvent(QPaintEvent*) {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     const double radius = deckPinRadius(deck());
-    if (m_pickable) // where a pin can be set up
-        for (int k = 0; k < 10; ++k) {
-            p.setPen(QPen(k == m_hovered ? m_appearance.accent() : m_appearance.line(), 1.5));
-            p.setBrush(m_appearance.card());
-            p.drawEllipse(deckPinCentre(deck(), k), radius, radius);
-        }
-    paintPinDeck(p, deck(), m_standing, m_appearance);
-    if (m_pickable && m_hovered >= 0 && m_standing[std::size_t(m_hovered)]) {
+    if (!m_pickable)
+        return paintPinDeck(p, deck(), m_standing, m_appearance);
+    for (int k = 0; k < 10; ++k) {
+        const QPointF at = deckPinCentre(deck(), k);
+        if (m_standing[std::size_t(k)])
+            paintStanding(p, at, radius, k + 1, m_appearance);
+        else if (m_present[std::size_t(k)])
+            paintLying(p, at, radius, k + 1, m_appearance);
+        else
+            paintSpot(p, at, radius, m_appearance);
+    }
+    if (m_hovered >= 0) {
         p.setPen(QPen(m_appearance.accent(), m_appearance.lineWidth()));
         p.setBrush(Qt::NoBrush);
         p.drawEllipse(deckPinCentre(deck(), m_hovered), radius, radius);
     }
-    if (m_pickable && hasFocus()) {
+    if (hasFocus()) {
         p.setPen(QPen(m_appearance.accent(), m_appearance.lineWidth()));
         p.setBrush(Qt::NoBrush);
         const double ring = radius + 1.5 * m_appearance.lineWidth();
@@ -244,8 +275,6 @@ void PinDeck::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Down:
         return moveBy(0, +1);
     case Qt::Key_Space:
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
         return toggle(m_current);
     default:
         QWidget::keyPressEvent(event);
@@ -269,9 +298,9 @@ void PinDeck::changeEvent(QEvent* event) {
 }
 
 void PinDeck::retranslate() {
-    setAccessibleName(tr("Standing pins"));
+    setAccessibleName(m_title.isEmpty() ? tr("Standing pins") : m_title);
     if (m_pickable)
-        setToolTip(tr("Click a pin to set it up or take it away; or press its number, 0 for pin 10"));
+        setToolTip(tr("Click a pin to turn it over; or press its number, 0 for pin 10"));
     describe();
 }
 

@@ -14,8 +14,8 @@ namespace thetalane {
 
 class Appearance;
 
-// A standing pin is a white disc with its number where there is room for it, one that is down a small grey
-// spot. Fitted into `where`, in the middle.
+// A standing pin is a white disc with its number where there is room for legible type, one that is down a
+// small grey spot. Fitted into `where`, in the middle.
 void paintPinDeck(QPainter& painter, const QRectF& where, const PinSet& standing,
                   const Appearance& appearance);
 
@@ -33,9 +33,11 @@ public:
 
     const PinSet& standing() const { return m_standing; }
     void setStanding(const PinSet& standing);
+    // Those that take part, all unless said; the others are spots that cannot be picked.
+    void setPresent(const PinSet& present);
+    void setTitle(const QString& title); // for screen readers; "Standing pins" unless said
 
-    // Then a click on a pin sets it up or takes it away; so do its number (0 is pin 10), or the arrow keys to
-    // it and space.
+    // Then a click turns a pin over; so do its number (0 is pin 10), or the arrow keys to it and space.
     void setPickable(bool on);
     bool isPickable() const { return m_pickable; }
     int current() const { return m_current; } // the pin that space would pick, 0 to 9
@@ -47,6 +49,7 @@ public:
 
 signals:
     void picked(const thetalane::PinSet& standing); // by the user alone
+    void turned(int pin);                           // the same: which one, 0 to 9
 
 protected:
     bool event(QEvent* event) override;
@@ -67,7 +70,9 @@ private:
     void describe();
 
     const Appearance& m_appearance;
+    PinSet m_present = allPins;
     PinSet m_standing = allPins;
+    QString m_title;
     bool m_pickable = false;
     int m_current = 0;
     int m_hovered = -1;

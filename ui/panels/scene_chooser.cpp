@@ -77,6 +77,10 @@ void SceneChooser::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
 }
 
+SceneChooser::Kind SceneChooser::kindOf(const Scene& scene) {
+    return scene.lane ? Kind::Lane : scene.bodies.size() <= 2 ? Kind::TwoBodies : Kind::ManyBodies;
+}
+
 void SceneChooser::addHeading(Kind kind) {
     const QString words = kind == Kind::TwoBodies    ? tr("Two bodies")
                           : kind == Kind::ManyBodies ? tr("Many bodies")
@@ -88,22 +92,24 @@ void SceneChooser::addHeading(Kind kind) {
     heading->setFont(appearance().font(Appearance::Size::Small, true));
 }
 
+void SceneChooser::addScene(const BuiltinScene& entry, const Scene& scene) {
+    const QString id = toQString(entry.id);
+    QAction* action = m_menu->addAction(sceneTitle(scene, languageOfNow()));
+    action->setObjectName(QStringLiteral("scene-") + id);
+    action->setData(id);
+    connect(action, &QAction::triggered, this, [this, id] { choose(id); });
+}
+
 void SceneChooser::fillMenu() {
     m_menu->clear();
-    std::optional<Kind> group;
-    for (const BuiltinScene& entry : builtinScenes()) {
-        const Scene scene = entry.make();
-        const Kind kind = scene.lane                 ? Kind::Lane
-                          : scene.bodies.size() <= 2 ? Kind::TwoBodies
-                                                     : Kind::ManyBodies;
-        if (group != kind)
-            addHeading(kind);
-        group = kind;
-        const QString id = toQString(entry.id);
-        QAction* action = m_menu->addAction(sceneTitle(scene, languageOfNow()));
-        action->setObjectName(QStringLiteral("scene-") + id);
-        action->setData(id);
-        connect(action, &QAction::triggered, this, [this, id] { choose(id); });
+    std::vector<std::pair<const BuiltinScene*, Scene>> scenes;
+    for (const BuiltinScene& entry : builtinScenes())
+        scenes.emplace_back(&entry, entry.make());
+    for (const Kind kind : {Kind::TwoBodies, Kind::ManyBodies, Kind::Lane}) {
+        addHeading(kind);
+        for (const auto& [entry, scene] : scenes)
+            if (kindOf(scene) == kind)
+                addScene(*entry, scene);
     }
     m_menu->addSeparator();
     QAction* file = m_menu->addAction(tr("Open a file…"), this, &SceneChooser::openFileRequested);

@@ -10,6 +10,8 @@ class QPushButton;
 
 namespace thetalane {
 
+struct BuiltinScene;
+
 class SceneChooser : public Panel {
     Q_OBJECT
 public:
@@ -32,8 +34,10 @@ protected:
 private:
     enum class Kind { TwoBodies, ManyBodies, Lane };
 
+    static Kind kindOf(const Scene& scene);
     void fillMenu();
     void addHeading(Kind kind);
+    void addScene(const BuiltinScene& entry, const Scene& scene);
     void showCurrent();
     void choose(const QString& id);
 

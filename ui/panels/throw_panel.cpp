@@ -1,9 +1,12 @@
 #include "ui/panels/throw_panel.h"
 
+#include "ui/panels/icon_button.h"
 #include "ui/panels/spin_dial.h"
 #include "ui/panels/value_row.h"
+#include "ui/words/glossary.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -70,8 +73,11 @@ ThrowPanel::ThrowPanel(const Context& context, QWidget* parent)
     , m_foot(new QVBoxLayout)
     , m_spinRow(new QHBoxLayout) {
     setObjectName(QStringLiteral("throwPanel"));
+    setTerm(m_dial, "axis");
+    setTerm(m_throwButton, "delivery");
     makeRows();
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     inside->setLayout(m_column);
     scroll->setWidget(inside);
@@ -98,15 +104,16 @@ void ThrowPanel::makeRows() {
         const char* name;
         ValueRow::Span span;
         const char* unit;
+        const char* term;
     };
     static constexpr Kind kinds[rowCount] = {
-        {"weight", {}, ""}, // in units to choose
-        {"speed", {}, ""},
-        {"direction", directionSpan, "°"},
-        {"position", positionSpan, "m"},
-        {"rotation", rotationSpan, "rpm"},
-        {"axis", axisSpan, "°"},
-        {"pinRestitution", {0, 1, 0.01, 0}, ""},
+        {"weight", {}, "", "mass"}, // in units to choose
+        {"speed", {}, "", "speed"},
+        {"direction", directionSpan, "°", "direction"},
+        {"position", positionSpan, "m", "board"},
+        {"rotation", rotationSpan, "rpm", "angular-velocity"},
+        {"axis", axisSpan, "°", "axis"},
+        {"pinRestitution", {0, 1, 0.01, 0}, "", "restitution"},
     };
     for (int r = 0; r < rowCount; ++r) {
         const Kind& kind = kinds[r];
@@ -114,6 +121,7 @@ void ThrowPanel::makeRows() {
                                  QString::fromUtf8(kind.unit), this);
         connect(row, &ValueRow::edited, this, [this, r](double value) { take(r, value); });
         connect(row, &ValueRow::becameUnreadable, this, &ThrowPanel::apply);
+        row->setTerm(kind.term);
         m_rows[std::size_t(r)] = row;
         m_column->addWidget(row);
         if (r == Axis)
@@ -142,9 +150,11 @@ void ThrowPanel::makePathAhead() {
     m_path->setObjectName(QStringLiteral("pathAhead"));
     m_path->addItems({QString(), QString()});
     m_pathLabel->setBuddy(m_path);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_pathLabel);
-    row->addWidget(m_path, 1);
+    auto* row = new QGridLayout;
+    row->addWidget(m_pathLabel, 0, 0);
+    row->addWidget(m_path, 0, 1);
+    row->addWidget(new IconMark(appearance(), Icon::Down, this), 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+    row->setColumnStretch(1, 1);
     m_foot->addLayout(row);
     connect(m_path, &QComboBox::activated, this, [this](int index) {
         m_foresight = Foresight(index);
@@ -206,7 +216,7 @@ void ThrowPanel::restyle() {
     m_column->setContentsMargins(unit, unit, unit, unit);
     m_column->setSpacing(unit);
     m_foot->setContentsMargins(unit, unit, unit, unit);
-    m_foot->setSpacing(unit / 2);
+    m_foot->setSpacing(unit);
     m_spinRow->setSpacing(unit);
     makeQuiet(*m_rollNote, appearance());
     m_pathLabel->setFont(appearance().font(Appearance::Size::Normal));

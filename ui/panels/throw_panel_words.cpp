@@ -2,6 +2,7 @@
 #include "ui/panels/spin_dial.h"
 #include "ui/panels/throw_panel.h"
 #include "ui/panels/value_row.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
 
@@ -94,6 +95,7 @@ void ThrowPanel::showRoll() {
                           : sideways > 0 ? tr("hooks left")
                                          : tr("hooks right"));
     const auto& friction = session().scene().friction;
+    setTerm(m_rollNote, !friction || !aside ? "friction" : friction->oil.empty() ? "hook" : "oil-pattern");
     if (!friction)
         m_rollNote->setText(tr("This lane has no friction, so rotation does not change the path."));
     else if (!turns)

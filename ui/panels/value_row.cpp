@@ -3,6 +3,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/panel.h"
 #include "ui/panels/value_slider.h"
+#include "ui/words/glossary.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -85,6 +86,12 @@ void ValueRow::setWords(const QString& label, const QString& toolTip) {
     m_label->setText(label);
     m_field->setWords(label, toolTip);
     m_slider->setWords(label, toolTip);
+}
+
+// A pause over the name explains it; the number has more to tell about itself, but F1 knows.
+void ValueRow::setTerm(const char* id) {
+    thetalane::setTerm(this, id);
+    thetalane::setTerm(m_label, id);
 }
 
 void ValueRow::setNote(const QString& note) {

@@ -37,6 +37,7 @@ public:
     void setUnitWords(const QString& name, const QString& toolTip);
 
     void setWords(const QString& label, const QString& toolTip);
+    void setTerm(const char* id); // of the glossary
     void setNote(const QString& note);
     void setMessage(const QString& message); // empty: nothing is wrong
 

@@ -104,8 +104,13 @@ void LeafButton::paintEvent(QPaintEvent*) {
     const Appearance& a = m_appearance;
     const bool bright = isChecked() || hasFocus();
     p.setPen(QPen(bright ? a.accent() : underMouse() ? a.quietText() : a.line(), bright ? 2 : 1));
-    p.setBrush(a.card());
+    p.setBrush(isChecked() ? a.chosen() : a.card());
     p.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4, 4);
+    if (isChecked() && hasFocus()) {
+        p.setPen(QPen(a.text(), a.lineWidth()));
+        p.setBrush(Qt::NoBrush);
+        p.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4, 4);
+    }
     const double text = 1.5 * a.pixels(Appearance::Size::Small);
     paintPinDeck(p, QRectF(rect()).adjusted(6, 6, -6, -text - 2), m_pins, a);
     p.setFont(a.font(Appearance::Size::Small, isChecked()));

@@ -15,6 +15,7 @@ PracticePanel::PracticePanel(const Context& context, QWidget* parent)
     , m_varied(new VaryBox(context)) {
     setObjectName(QStringLiteral("practicePanel"));
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // the Tab key goes to what stands in it
     auto* inside = new QWidget(scroll);
     inside->setLayout(m_column);
     m_column->addWidget(m_spares);

@@ -4,6 +4,7 @@
 #include "ui/panels/pin_deck.h"
 #include "ui/practice/latest_job.h"
 #include "ui/practice/leaves.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 
 #include <QHBoxLayout>
@@ -66,6 +67,9 @@ void SpareBox::build() {
     }
     m_deck->setObjectName(QStringLiteral("spareDeck"));
     m_deck->setPickable(true);
+    setTerm(m_title, "spare");
+    setTerm(m_count, "leave");
+    setTerm(m_leafArea, "leave");
     m_throw->setObjectName(QStringLiteral("spareThrow"));
     m_throw->setProperty("prominent", true);
     m_show->setObjectName(QStringLiteral("spareAdvice"));

@@ -6,6 +6,7 @@
 #include "ui/practice/vary_delegate.h"
 #include "ui/practice/vary_model.h"
 #include "ui/practice/vary_words.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 
 #include <QComboBox>
@@ -128,6 +129,7 @@ void VaryBox::takeRange() {
     const Throw present = session().currentThrow().value_or(Throw{});
     const ShownRange range =
         usualRange(quantity(), shownQuantity(quantity(), quantityOf(present, quantity())));
+    setTerm(m_quantities, throwQuantityTerm(quantity()));
     for (NumberField* field : {m_from, m_to}) {
         field->setStep(range.step);
         field->setUnit(throwQuantityUnit(quantity()));

@@ -19,7 +19,7 @@ void VaryDelegate::paint(QPainter* p, const QStyleOptionViewItem& option, const 
     const bool clears = index.data(VaryModel::ClearsRole).toBool();
     p->save();
     if (present)
-        p->fillRect(cell, a.projector() ? QColor(0xC4, 0xDD, 0xEE) : QColor(0xDC, 0xEA, 0xF4));
+        p->fillRect(cell, a.chosen());
     if (index.column() == VaryModel::Value && present) // seen without colour, too
         p->fillRect(QRectF(cell.left(), cell.top(), a.unit() / 2.0, cell.height()), a.accent());
     if (clears && index.column() == VaryModel::Down) {
@@ -36,7 +36,8 @@ void VaryDelegate::paint(QPainter* p, const QStyleOptionViewItem& option, const 
     } else {
         const bool bold = present || (clears && index.column() == VaryModel::Down);
         p->setFont(a.font(Appearance::Size::Normal, bold));
-        p->setPen(a.text());
+        const bool onAmber = clears && index.column() == VaryModel::Down;
+        p->setPen(onAmber && a.dark() ? a.window() : a.text());
         p->drawText(cell, Qt::AlignCenter, index.data(Qt::DisplayRole).toString());
     }
     p->setPen(QPen(a.line(), 1));

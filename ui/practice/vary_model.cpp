@@ -2,6 +2,7 @@
 
 #include "ui/panels/pin_deck.h"
 #include "ui/practice/vary_words.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 
 #include <numbers>
@@ -105,6 +106,13 @@ QVariant VaryModel::headerData(int section, Qt::Orientation orientation, int rol
         return {};
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignCenter);
+    if (role == termRole)
+        return section == Value    ? QString::fromLatin1(throwQuantityTerm(m_settings.quantity))
+               : section == Left   ? QStringLiteral("leave")
+               : section == Down   ? QStringLiteral("pinfall")
+               : section == First  ? QStringLiteral("pocket")
+               : section == Offset ? QStringLiteral("offset")
+                                   : QStringLiteral("entry-angle");
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     const bool brief = role == Qt::DisplayRole;

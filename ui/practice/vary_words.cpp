@@ -42,6 +42,24 @@ QString throwQuantityName(ThrowQuantity quantity) {
     return VaryWords::tr("Axis of rotation");
 }
 
+const char* throwQuantityTerm(ThrowQuantity quantity) {
+    switch (quantity) {
+    case ThrowQuantity::Mass:
+        return "mass";
+    case ThrowQuantity::Speed:
+        return "speed";
+    case ThrowQuantity::Direction:
+        return "direction";
+    case ThrowQuantity::Position:
+        return "board";
+    case ThrowQuantity::Spin:
+        return "angular-velocity";
+    case ThrowQuantity::Axis:
+        break;
+    }
+    return "axis";
+}
+
 QString throwQuantityUnit(ThrowQuantity quantity) {
     switch (quantity) {
     case ThrowQuantity::Mass:

@@ -8,6 +8,7 @@
 namespace thetalane {
 
 QString throwQuantityName(ThrowQuantity quantity);          // "Speed"
+const char* throwQuantityTerm(ThrowQuantity quantity);      // of the glossary
 QString throwQuantityUnit(ThrowQuantity quantity);          // "m/s"
 double shownQuantity(ThrowQuantity quantity, double value); // in that unit
 double quantityFromShown(ThrowQuantity quantity, double shown);

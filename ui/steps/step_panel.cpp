@@ -1,6 +1,7 @@
 #include "ui/steps/step_panel.h"
 
 #include "ui/count_text.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 
 #include <QHBoxLayout>
@@ -95,6 +96,7 @@ QWidget* StepPanel::makeHead() {
     m_title->setWordWrap(true); // of millions
     m_partners = new QLabel;
     m_partners->setObjectName("collisionPartners");
+    setTerm(m_partners, "digits-left");
     m_partners->setTextFormat(Qt::RichText);
     m_partners->setWordWrap(true);
     const auto button = [](const char* name) {

@@ -4,6 +4,7 @@
 #include "ui/count_text.h"
 #include "ui/panels/pin_deck.h"
 #include "ui/who/hit_tree_view.h"
+#include "ui/words/glossary.h"
 #include "ui/words/number_text.h"
 #include "ui/words/worked_steps.h"
 
@@ -74,6 +75,9 @@ void CollisionTreePanel::build() {
         label->setObjectName(QLatin1String(name));
         label->setWordWrap(true);
     }
+    setTerm(m_chain, "perfect-strike");
+    setTerm(m_key, "impulse");
+    setTerm(m_left, "leave");
     m_treeScroll->setObjectName(QStringLiteral("treeScroll"));
     m_treeScroll->setWidget(m_view);
     m_treeScroll->setWidgetResizable(true);
@@ -93,11 +97,11 @@ void CollisionTreePanel::build() {
     layout->addLayout(m_column);
     m_column->addWidget(m_chain);
     m_column->addWidget(m_empty, 1);
-    m_column->addWidget(m_treeScroll, 3);
+    m_column->addWidget(m_treeScroll, 8);
     m_column->addWidget(m_key);
     m_column->addWidget(m_standing);
     m_column->addWidget(m_laterTitle);
-    m_column->addWidget(m_later, 2);
+    m_column->addWidget(m_later, 1);
     m_column->addWidget(m_leftOut);
     m_column->addStretch(0);
 }
@@ -138,9 +142,11 @@ void CollisionTreePanel::retranslate() {
     m_key->setText(tr("Above an arrow the time [s], below it the impulse [N·s]. What has not happened yet is "
                       "grey; click an arrow to open the collision."));
     m_view->setToolTip(tr("Click an arrow, or go along them with the arrow keys, to open the collision"));
-    m_deck->setAccessibleName(tr("Left standing"));
+    m_deck->setTitle(tr("Left standing"));
     m_later->setAccessibleName(tr("Later hits"));
     m_later->setToolTip(tr("Hits of bodies that moved already; choose one to open it"));
+    if (m_tree && !m_stale) // a body's name may be a word, of another width
+        return showTree();
     showStanding();
     showLater();
     showWords();
@@ -173,8 +179,8 @@ void CollisionTreePanel::restyle() {
                        "QListWidget::item { border: none; min-height: %2px; padding: 0 4px; }"
                        "QListWidget::item:selected { background: %3; color: %1; }"
                        "QListWidget:focus { border: 1px solid %4; }")
-            .arg(a.text().name(), QString::number(a.projector() ? 36 : 24),
-                 a.projector() ? "#C4DDEE" : "#DCEAF4", a.accent().name()));
+            .arg(a.text().name(), QString::number(a.projector() ? 36 : 24), a.chosen().name(),
+                 a.accent().name()));
     const int deck = a.projector() ? 108 : 76;
     m_deck->setFixedSize(deck, int(deck * 0.88));
     followTime(playhead().time());
@@ -273,6 +279,8 @@ void CollisionTreePanel::showLater() {
     m_laterTitle->setText(tr("Later hits: %1").arg(countText(std::int64_t(m_tree->later.size()))));
     m_laterTitle->setVisible(shown > 0);
     m_later->setVisible(shown > 0);
+    // No more room than its rows: the tree has more use for it.
+    m_later->setMaximumHeight(int(shown) * std::max(m_later->sizeHintForRow(0), 24) + 4);
     followTime(playhead().time());
 }
 
@@ -304,7 +312,7 @@ void CollisionTreePanel::followTime(double time) {
     m_view->setTime(time);
     for (int row = 0; row < m_later->count(); ++row) {
         const bool done = m_tree->later[std::size_t(row)].time <= time;
-        const QColor colour = done ? appearance().text() : appearance().quietText().lighter(130);
+        const QColor colour = done ? appearance().text() : appearance().faintText();
         if (m_later->item(row)->foreground().color() != colour)
             m_later->item(row)->setForeground(colour);
     }

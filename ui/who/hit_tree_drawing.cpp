@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace thetalane {
 
 using namespace hittree;
@@ -41,7 +43,7 @@ void HitTreeView::paintArrow(QPainter& p, const TreeNode& node, std::size_t inde
     }
     const QColor colour = open || int(index) == m_hovered ? a.accent()
                           : done                          ? a.text()
-                                                          : a.line().darker(110);
+                                 : (a.dark() ? a.line().lighter(125) : a.line().darker(110));
     const bool met = !hitOf(node).setMoving; // both moved: an arrow at either end
     p.setPen(QPen(colour, (open ? 1.6 : 0.8) * a.lineWidth(), Qt::SolidLine, Qt::FlatCap));
     p.setBrush(Qt::NoBrush);
@@ -65,7 +67,7 @@ void HitTreeView::paintLabels(QPainter& p, const TreeNode& node, std::size_t ind
     const double left = nodeRect(std::size_t(node.parent)).right() + trunk + 2, y = to.center().y();
     const double width = to.left() - headLength - left, height = 1.4 * a.pixels(Appearance::Size::Small);
     p.setFont(a.font(Appearance::Size::Small));
-    p.setPen(happened(index) ? a.text() : a.quietText().lighter(130));
+    p.setPen(happened(index) ? a.text() : a.faintText());
     p.drawText(QRectF(left, y - height - 1, width, height), Qt::AlignCenter, timeText(node));
     p.drawText(QRectF(left, y + 2, width, height), Qt::AlignCenter, impulseText(node));
 }
@@ -83,16 +85,17 @@ void HitTreeView::paintNode(QPainter& p, const TreeNode& node, std::size_t index
     const bool done = happened(index), ball = body.kind == BodyKind::Ball;
     const QColor chosen = nodeColour(node.body);
     const QRectF r = nodeRect(index).adjusted(1, 1, -1, -1);
-    QColor edge = done ? a.text() : a.line().darker(110), fill = ball ? edge : a.pin();
+    QColor edge = done ? a.text() : (a.dark() ? a.line().lighter(125) : a.line().darker(110)),
+           fill = ball ? edge : a.pin();
     if (chosen.isValid())
         edge = fill = chosen;
     p.setPen(QPen(edge, a.lineWidth() * 0.8));
     p.setBrush(fill);
     p.drawRoundedRect(r, r.height() / 2, r.height() / 2);
     p.setFont(a.font(Appearance::Size::Normal, true));
-    p.setPen(chosen.isValid() || ball ? a.card() : done ? a.text() : a.quietText().lighter(130));
+    p.setPen(chosen.isValid() || ball ? a.card() : done ? a.text() : a.faintText());
     p.drawText(r, Qt::AlignCenter, bodyName(m_run->scene, node.body).left(longestName));
-    if (hasFocus() && int(index) == m_current) {
+    if (hasFocus() && int(index) == std::max(0, m_current)) { // at first where the keys begin
         p.setPen(QPen(a.accent(), a.lineWidth()));
         p.setBrush(Qt::NoBrush);
         const QRectF ring = r.adjusted(-2, -2, 2, 2);

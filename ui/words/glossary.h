@@ -3,7 +3,9 @@
 
 #include "ui/words/language.h"
 
+#include <QObject>
 #include <QString>
+#include <QVariant>
 
 #include <vector>
 
@@ -24,7 +26,13 @@ std::vector<GlossaryEntry> glossary(Language::Code language);
 // In the language of now; nothing where there is no such term.
 const GlossaryEntry* glossaryEntry(const QString& id);
 
-// The dynamic property by which a widget says which term it, and what stands in it, is about.
+// The dynamic property by which a widget says which term it, and what stands in it, is about; a model says it
+// of a heading by this role.
 inline constexpr const char* termProperty = "term";
+inline constexpr int termRole = Qt::UserRole + 64;
+
+inline void setTerm(QObject* about, const char* id) {
+    about->setProperty(termProperty, QString::fromLatin1(id));
+}
 
 } // namespace thetalane

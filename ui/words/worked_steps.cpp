@@ -175,8 +175,20 @@ QString stageTitle(Stage stage) {
     return {};
 }
 
+bool isWordName(const Body& body) {
+    return body.id == "ball" || body.id == "cue";
+}
+
+QString bodyName(const Body& body) {
+    if (body.id == "ball")
+        return QCoreApplication::translate("BodyName", "ball");
+    if (body.id == "cue")
+        return QCoreApplication::translate("BodyName", "cue");
+    return QString::fromStdString(body.id);
+}
+
 QString bodyName(const Scene& scene, int body) {
-    return QString::fromStdString(scene.bodies[std::size_t(body)].id);
+    return bodyName(scene.bodies[std::size_t(body)]);
 }
 
 QString partnerName(const Scene& scene, const Collision& collision) {

@@ -37,11 +37,14 @@ QString plainText(const WorkedLine& line, Digits digits = Digits::Four);
 
 QString stageTitle(Stage stage);
 
-// The name of a collision's partner as shown: a body's id, or a wall ("left wall").
+// The name of a collision's partner as shown: a body's id, or a wall ("left wall"). The names of the built-in
+// scenes that are words stand in the language of now; a name that somebody gave stays.
+QString bodyName(const Body& body);
+bool isWordName(const Body& body);
 QString bodyName(const Scene& scene, int body);
 QString partnerName(const Scene& scene, const Collision& collision);
 
-// The letters of an index: a body's id, cut where it is long; W for a wall.
+// The letters of an index: a body's name, cut where it is long; W for a wall.
 QString indexName(const Scene& scene, int body);
 
 // v with its index: of a body (-1: a wall), along an axis ("x", "y", "x′", "y′" or none), a prime for after.
