@@ -2,6 +2,8 @@
 
 #include "ui/lane/stroke_notes.h"
 
+#include <utility>
+
 namespace thetalane {
 namespace {
 
