@@ -1,9 +1,10 @@
 // Ten minutes of a gas of 1,000 in the window, off screen: how large the process gets, how long the window
 // stands still while they are computed, and how long any moment takes until it is painted. Then frames of a
 // break and of a throw, and aiming one.
-//   QT_QPA_PLATFORM=offscreen bin/thetalane_window_bench [--quick] [--throw] [--pictures DIR]
-// --throw: only what is last.
+//   QT_QPA_PLATFORM=offscreen bin/thetalane_window_bench [--quick] [--throw] [--map] [--pictures DIR]
+// --throw: only frames and aiming. --map: only how the window answers while the strike map is computed.
 #include "tests/benchmarks/waits.h"
+#include "tests/benchmarks/window_map.h"
 #include "tests/benchmarks/window_throw.h"
 #include "ui/window/main_window.h"
 
@@ -129,6 +130,10 @@ int main(int argc, char** argv) {
     const bool quick = arguments.contains("--quick");
     if (arguments.contains("--throw")) {
         throwTables(quick);
+        return 0;
+    }
+    if (arguments.contains("--map")) {
+        mapTable(quick);
         return 0;
     }
     const double until = quick ? 5 : 600;

@@ -1,6 +1,7 @@
 #include "ui/lane/floor.h"
 
 #include "ui/lane/arrow.h"
+#include "ui/lane/bands.h"
 #include "ui/lane/scale.h"
 #include "ui/words/number_text.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace thetalane {
 namespace {
@@ -207,8 +209,9 @@ void paintKickbacks(QPainter& painter, const Pixels& px, const Lane& lane, const
     painter.drawLine(QPointF(right, top), QPointF(right, bottom));
 }
 
-void paintLane(QPainter& painter, const Pixels& px, const Scene& scene, const Lane& lane,
-               const Appearance& look, const QRectF& all) {
+// Wood, gutters, oil and pit: the same along the lane, but where one of them begins or ends.
+void paintGround(QPainter& painter, const Pixels& px, const Scene& scene, const Lane& lane,
+                 const Appearance& look, const QRectF& all) {
     painter.fillRect(all, look.window());
     const double start = lane.foulLine - approach;
     const double outer = lane.gutterWidth;
@@ -230,6 +233,22 @@ void paintLane(QPainter& painter, const Pixels& px, const Scene& scene, const La
         paintOil(painter, px, scene, look, all);
     painter.fillRect(px.rect({lane.left - outer, lane.end}, {lane.right + outer, lane.end + lane.pitDepth}),
                      mixed(look.dark() ? look.window() : look.quietText(), look.gutter(), 0.55));
+}
+
+void paintLane(QPainter& painter, const Pixels& px, const Scene& scene, const Lane& lane,
+               const Appearance& look, const QRectF& all) {
+    const double start = lane.foulLine - approach;
+    const double outer = lane.gutterWidth;
+    std::vector<double> heights{start, lane.foulLine, -deckBefore, lane.end, lane.end + lane.pitDepth};
+    if (scene.friction)
+        for (const OilZone& zone : scene.friction->oil)
+            heights.insert(heights.end(), {zone.from, zone.to});
+    std::vector<double> borders;
+    for (const double y : heights)
+        borders.push_back(px.at({0, y}).y());
+    constexpr double widestLine = 4; // of the oil's edges, and to spare
+    paintInBands(painter, all, std::move(borders), widestLine,
+                 [&](QPainter& p, const QRectF& part) { paintGround(p, px, scene, lane, look, part); });
     paintMarks(painter, px, lane, look);
     const QRectF sides = px.rect({lane.left - outer, start}, {lane.right + outer, lane.end + lane.pitDepth});
     painter.setPen(QPen(mixed(look.quietText(), look.gutter(), 0.5), 1));

@@ -56,7 +56,7 @@ bool LaneView::event(QEvent* event) {
         event->accept();
         return true;
     }
-    return QGraphicsView::event(event);
+    return FloorView::event(event);
 }
 
 bool LaneView::viewportEvent(QEvent* event) {
@@ -74,7 +74,7 @@ bool LaneView::viewportEvent(QEvent* event) {
         m_scene.setHovered(std::nullopt);
         m_hand.hover(std::nullopt);
     }
-    return QGraphicsView::viewportEvent(event);
+    return FloorView::viewportEvent(event);
 }
 
 void LaneView::wheelEvent(QWheelEvent* event) {

@@ -2,7 +2,6 @@
 
 #include "ui/lane/body_item.h"
 #include "ui/lane/extent.h"
-#include "ui/lane/floor.h"
 #include "ui/lane/lasting_item.h"
 #include "ui/lane/paths_item.h"
 #include "ui/lane/scale.h"
@@ -62,11 +61,11 @@ LaneScene::LaneScene(const Context& context, QObject* parent)
     connect(&context.session, &Session::chapterChanged, this, &LaneScene::showChapter);
     connect(&context.playhead, &Playhead::timeChanged, this, &LaneScene::showTime);
     connect(&context.playhead, &Playhead::selectionChanged, this, &LaneScene::showSelection);
-    connect(&context.appearance, &Appearance::changed, this, [this] { update(); });
     rebuild();
 }
 
 void LaneScene::rebuild() {
+    emit touched();
     m_run = m_context.session.run();
     const Scene& scene = m_run->scene;
     const double until = m_context.session.shownUntil();
@@ -102,11 +101,13 @@ void LaneScene::holdScale(bool held) {
 }
 
 void LaneScene::hideFuture(bool hidden) {
+    emit touched();
     m_paths->setFutureHidden(hidden);
 }
 
 // The same bodies on the same floor to the same scale; only what happens is of another part of the run.
 void LaneScene::showChapter() {
+    emit touched();
     m_run = m_context.session.run();
     m_paths->build(*m_run, std::min(m_context.session.shownUntil(), m_run->timeline.endTime()), m_inks);
     buildTurnings();
@@ -130,6 +131,7 @@ void LaneScene::buildTurnings() {
 void LaneScene::showTime(double time) {
     if (m_run != m_context.session.run())
         return; // rebuild() is about to come
+    emit touched();
     m_run->timeline.stateAt(time, m_states);
     for (std::size_t i = 0; i < m_states.size(); ++i) {
         m_bodies[i]->setPos(toUnits(m_states[i].position));
@@ -150,6 +152,7 @@ void LaneScene::showTime(double time) {
 void LaneScene::showSelection() {
     if (m_run != m_context.session.run())
         return;
+    emit touched();
     const Collision* collision = selected();
     std::vector<bool> beside(m_bodies.size(), false);
     if (collision)
@@ -172,6 +175,7 @@ void LaneScene::showSelection() {
 void LaneScene::setArrows(bool shown) {
     if (shown == m_arrows)
         return;
+    emit touched();
     m_arrows = shown;
     m_velocities->setVisible(shown && !selected());
 }
@@ -199,6 +203,7 @@ std::optional<int> LaneScene::bodyNear(const QPointF& at, double slack) const {
 void LaneScene::setHovered(std::optional<int> body) {
     if (body == m_hovered)
         return;
+    emit touched();
     if (m_hovered)
         m_bodies[std::size_t(*m_hovered)]->setHovered(false);
     m_hovered = body;
@@ -256,10 +261,6 @@ std::optional<std::size_t> LaneScene::nextCollisionOf(int body) const {
         if (collisions[i].involves(body))
             return i;
     return std::nullopt;
-}
-
-void LaneScene::drawBackground(QPainter* painter, const QRectF& rect) {
-    paintFloor(*painter, m_run->scene, m_context.appearance, rect);
 }
 
 } // namespace thetalane

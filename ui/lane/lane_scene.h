@@ -49,9 +49,7 @@ public:
 
 signals:
     void rebuilt(); // another run
-
-protected:
-    void drawBackground(QPainter* painter, const QRectF& rect) override;
+    void touched(); // something is about to look otherwise
 
 private:
     void rebuild();

@@ -1,8 +1,6 @@
 #include "ui/lane/lane_strip.h"
 
 #include "ui/lane/arrow.h"
-#include "ui/lane/camera.h"
-#include "ui/lane/floor.h"
 #include "ui/lane/lane_scene.h"
 #include "ui/lane/lane_view.h"
 
@@ -10,7 +8,6 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QScrollBar>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -19,23 +16,12 @@
 namespace thetalane {
 
 LaneStrip::LaneStrip(const Context& context, LaneScene& scene, LaneView& closeUp, QWidget* parent)
-    : QGraphicsView(&scene, parent)
-    , m_context(context)
-    , m_scene(scene)
+    : FloorView(context, scene, parent)
     , m_closeUp(closeUp) {
     setObjectName("laneStrip");
-    setFrameShape(NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setRenderHint(QPainter::Antialiasing);
-    setCacheMode(CacheBackground);
-    setViewportUpdateMode(FullViewportUpdate);
-    setTransformationAnchor(NoAnchor);
-    setResizeAnchor(NoAnchor);
     setFocusPolicy(Qt::NoFocus); // it has nothing that the close-up's keys do not do
-    setMouseTracking(true);
     viewport()->setCursor(Qt::PointingHandCursor);
-    connect(&closeUp, &LaneView::cameraChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(&closeUp, &LaneView::cameraChanged, this, &LaneStrip::touch);
     connect(&scene, &LaneScene::rebuilt, this, &LaneStrip::adoptRun);
     connect(&context.appearance, &Appearance::changed, this, [this] {
         updateGeometry();
@@ -49,21 +35,12 @@ QSize LaneStrip::sizeHint() const {
 }
 
 void LaneStrip::adoptRun() {
-    Scene floor = floorOf(m_scene.run().scene);
-    if (floor == m_floor)
-        return;
-    m_floor = std::move(floor);
-    showAll();
+    if (takeFloor())
+        showAll();
 }
 
 void LaneStrip::showAll() {
-    resetCachedContent();
-    const Camera camera =
-        cameraFor(m_scene.wholeRect(), viewport()->size(), 0.75 * m_context.appearance.unit());
-    setTransform(QTransform::fromScale(camera.scale, camera.scale));
-    const QPointF corner = camera.centre * camera.scale - QRectF(viewport()->rect()).center();
-    horizontalScrollBar()->setValue(int(std::lround(corner.x())));
-    verticalScrollBar()->setValue(int(std::lround(corner.y())));
+    look(cameraFor(m_scene.wholeRect(), viewport()->size(), 0.75 * m_context.appearance.unit()));
 }
 
 QRectF LaneStrip::frameOfCloseUp() const {
@@ -83,13 +60,13 @@ void LaneStrip::drawForeground(QPainter* painter, const QRectF&) {
 }
 
 void LaneStrip::resizeEvent(QResizeEvent* event) {
-    QGraphicsView::resizeEvent(event);
+    FloorView::resizeEvent(event);
     showAll();
 }
 
 void LaneStrip::addTool(LaneTool& tool) {
     m_hand.add(tool);
-    connect(&tool, &LaneTool::changed, viewport(), qOverload<>(&QWidget::update));
+    connect(&tool, &LaneTool::changed, this, &LaneStrip::touch);
 }
 
 Pointer LaneStrip::pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const {
@@ -144,7 +121,7 @@ bool LaneStrip::viewportEvent(QEvent* event) {
     }
     if (event->type() == QEvent::Leave)
         m_hand.hover(std::nullopt);
-    return QGraphicsView::viewportEvent(event);
+    return FloorView::viewportEvent(event);
 }
 
 void LaneStrip::wheelEvent(QWheelEvent* event) {
@@ -162,7 +139,7 @@ void LaneStrip::keyPressEvent(QKeyEvent* event) {
 void LaneStrip::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    QGraphicsView::changeEvent(event);
+    FloorView::changeEvent(event);
 }
 
 void LaneStrip::retranslate() {

@@ -2,17 +2,14 @@
 // What the tools offer can be grabbed here too: foul line and rack in one picture.
 #pragma once
 
-#include "ui/context.h"
+#include "ui/lane/floor_view.h"
 #include "ui/lane/tool_hand.h"
-
-#include <QGraphicsView>
 
 namespace thetalane {
 
-class LaneScene;
 class LaneView;
 
-class LaneStrip : public QGraphicsView {
+class LaneStrip : public FloorView {
     Q_OBJECT
 public:
     LaneStrip(const Context& context, LaneScene& scene, LaneView& closeUp, QWidget* parent = nullptr);
@@ -39,13 +36,10 @@ private:
     Pointer pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
     void lookThere(const QPointF& pixel);
 
-    Context m_context;
-    LaneScene& m_scene;
     LaneView& m_closeUp;
     ToolHand m_hand;
     QPointF m_pressed;    // [px]
     bool m_moved = false; // what is grabbed, since the press
-    Scene m_floor;        // what the cached background shows
 };
 
 } // namespace thetalane

@@ -6,7 +6,6 @@
 #include "ui/lane/scale.h"
 
 #include <QResizeEvent>
-#include <QScrollBar>
 
 #include <algorithm>
 #include <cmath>
@@ -21,20 +20,8 @@ constexpr int cornerGap = 12;
 } // namespace
 
 LaneView::LaneView(const Context& context, LaneScene& scene, QWidget* parent)
-    : QGraphicsView(&scene, parent)
-    , m_context(context)
-    , m_scene(scene) {
-    setFrameShape(NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setRenderHint(QPainter::Antialiasing);
-    setCacheMode(CacheBackground);
-    setViewportUpdateMode(
-        FullViewportUpdate); // letters and arrows keep their pixels, so no item knows its rectangle
-    setTransformationAnchor(NoAnchor);
-    setResizeAnchor(NoAnchor);
+    : FloorView(context, scene, parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);
     viewport()->setCursor(Qt::OpenHandCursor);
 
     for (QVariantAnimation* animation : {&m_flight, &m_turning}) {
@@ -45,15 +32,12 @@ LaneView::LaneView(const Context& context, LaneScene& scene, QWidget* parent)
     }
     connect(&m_flight, &QVariantAnimation::valueChanged, this,
             [this](const QVariant& t) { setCamera(between(m_from, m_to, t.toDouble())); });
-    connect(&m_turning, &QVariantAnimation::valueChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(&m_turning, &QVariantAnimation::valueChanged, this, &LaneView::touch);
     connect(&scene, &LaneScene::rebuilt, this, &LaneView::adoptRun);
     connect(&context.playhead, &Playhead::selectionChanged, this, &LaneView::showSelection);
     connect(&context.playhead, &Playhead::stageChanged, this, &LaneView::showStage);
     connect(&context.playhead, &Playhead::timeChanged, this, &LaneView::follow);
-    connect(&context.appearance, &Appearance::changed, this, [this] {
-        resetCachedContent();
-        placeCorners();
-    });
+    connect(&context.appearance, &Appearance::changed, this, &LaneView::placeCorners);
     connect(this, &LaneView::gripped, this, [this](bool on) {
         if (!on && m_aim == Aim::Fit)
             flyTo(fitCamera(), Aim::Fit);
@@ -77,8 +61,8 @@ void LaneView::adoptRun() {
     }
     const QRectF whole = m_scene.wholeRect();
     const auto alike = [](double now, double before) { return now > 0.5 * before && now < 2 * before; };
-    const bool other = !alike(whole.width(), m_whole.width()) ||
-                       !alike(whole.height(), m_whole.height()) || !whole.contains(m_camera.centre);
+    const bool other = !alike(whole.width(), m_whole.width()) || !alike(whole.height(), m_whole.height()) ||
+                       !whole.contains(m_camera.centre);
     const bool held = m_hand.holds(); // nothing moves under the hand
     if (other && !held)
         m_aim = Aim::Fit;
@@ -91,15 +75,6 @@ void LaneView::adoptRun() {
         setCamera(cameraOf(m_aim));
     m_overlay.reset();
     showSelection();
-}
-
-// While a ball is aimed, run after run has the same floor, and painting it anew would be most of a frame.
-void LaneView::takeFloor() {
-    Scene floor = floorOf(m_scene.run().scene);
-    if (floor == m_floor)
-        return;
-    m_floor = std::move(floor);
-    resetCachedContent();
 }
 
 void LaneView::showSelection() {
@@ -121,7 +96,7 @@ void LaneView::showStage() {
     m_turning.stop();
     if (!collision) {
         m_overlay.reset();
-        viewport()->update();
+        touch();
         return;
     }
     const bool turn = m_overlay && !m_context.appearance.reducedMotion();
@@ -130,20 +105,17 @@ void LaneView::showStage() {
     m_overlay = stepOverlay(m_scene.run().scene, *collision, m_context.playhead.stage());
     if (turn)
         m_turning.start();
-    viewport()->update();
+    touch();
 }
 
 QRectF LaneView::visibleRect() const {
     return viewportTransform().inverted().mapRect(QRectF(viewport()->rect()));
 }
 
-// The view stands on whole pixels; the camera is kept exactly, so that rounding does not add up.
+// Kept exactly, so that rounding does not add up.
 void LaneView::setCamera(const Camera& camera) {
     m_camera = camera;
-    setTransform(QTransform::fromScale(camera.scale, camera.scale));
-    const QPointF corner = camera.centre * camera.scale - QRectF(viewport()->rect()).center();
-    horizontalScrollBar()->setValue(int(std::lround(corner.x())));
-    verticalScrollBar()->setValue(int(std::lround(corner.y())));
+    look(camera);
     emit cameraChanged();
 }
 
@@ -204,7 +176,7 @@ void LaneView::flyToRect(const QRectF& units) {
 
 void LaneView::addTool(LaneTool& tool) {
     m_hand.add(tool);
-    connect(&tool, &LaneTool::changed, viewport(), qOverload<>(&QWidget::update));
+    connect(&tool, &LaneTool::changed, this, &LaneView::touch);
 }
 
 void LaneView::fit() {
@@ -219,7 +191,7 @@ void LaneView::zoomOut() {
 }
 
 void LaneView::resizeEvent(QResizeEvent* event) {
-    QGraphicsView::resizeEvent(event);
+    FloorView::resizeEvent(event);
     placeCorners();
     m_flight.stop();
     setCamera(cameraOf(m_aim));
@@ -250,14 +222,14 @@ void LaneView::drawForeground(QPainter* painter, const QRectF&) {
 void LaneView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    QGraphicsView::changeEvent(event);
+    FloorView::changeEvent(event);
 }
 
 void LaneView::retranslate() {
     setAccessibleName(tr("Lane"));
     setAccessibleDescription(
         tr("Drag to move, turn the wheel to zoom, click a body to open its next collision"));
-    resetCachedContent(); // the floor's words, and the overlay's, are of the other language
+    touchFloor(); // its words, and the overlay's, are of the other language
     m_overlay.reset();
     showStage();
 }
@@ -265,6 +237,7 @@ void LaneView::retranslate() {
 void LaneView::addToCorner(QWidget* widget, Qt::Corner corner) {
     widget->setParent(this);
     m_corners.push_back({widget, corner});
+    widget->raise();
     placeCorners();
 }
 
@@ -276,7 +249,6 @@ void LaneView::placeCorners() {
         widget->setGeometry(QRect(QPoint(right ? width() - size.width() - cornerGap : cornerGap,
                                          bottom ? height() - size.height() - cornerGap : cornerGap),
                                   size));
-        widget->raise();
     }
 }
 

@@ -1,13 +1,11 @@
 // The large view of the lane: zooms, pans, flies to the selected collision and draws its stage on top.
 #pragma once
 
-#include "ui/context.h"
-#include "ui/lane/camera.h"
+#include "ui/lane/floor_view.h"
 #include "ui/lane/overlay_painter.h"
 #include "ui/lane/step_overlay.h"
 #include "ui/lane/tool_hand.h"
 
-#include <QGraphicsView>
 #include <QVariantAnimation>
 
 #include <optional>
@@ -15,9 +13,7 @@
 
 namespace thetalane {
 
-class LaneScene;
-
-class LaneView : public QGraphicsView {
+class LaneView : public FloorView {
     Q_OBJECT
 public:
     LaneView(const Context& context, LaneScene& scene, QWidget* parent = nullptr);
@@ -90,12 +86,9 @@ private:
     void hover(const QPoint& pixel, Qt::KeyboardModifiers modifiers);
     Pointer pointerAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
     bool grab(const QMouseEvent& event);
-    void takeFloor();
     std::optional<int> bodyAt(const QPoint& pixel) const;
     std::vector<QRectF> cornerRects() const;
 
-    Context m_context;
-    LaneScene& m_scene;
     Aim m_aim = Aim::Fit;
     QVariantAnimation m_flight;
     Camera m_camera, m_from, m_to;
@@ -108,7 +101,6 @@ private:
     std::vector<Corner> m_corners;
     ToolHand m_hand;
     bool m_follow = false;
-    Scene m_floor; // what the cached background shows
     std::optional<QPoint> m_pressed;
     QPoint m_dragged; // the last place of the drag
     bool m_dragging = false;

@@ -78,7 +78,6 @@ void PinBadge::adoptChapter() {
     m_change = -1;
     setVisible(m_pins > 0 && (!m_later || m_settled));
     showTime(m_context.playhead.time());
-    emit resized(); // room for as many digits as there are pins
 }
 
 void PinBadge::showTime(double time) {
@@ -93,7 +92,11 @@ void PinBadge::showTime(double time) {
     m_down = m_later ? m_pins : int(down.size());
     for (Spot& spot : m_spots)
         spot.down = std::find(down.begin(), down.end(), spot.body) != down.end();
-    retranslate();
+    // While a ball is aimed there are runs and runs, and each begins with all the pins.
+    if (Said said{m_pins, m_touched, m_down, m_spots}; said != m_said) {
+        m_said = std::move(said);
+        retranslate();
+    }
 }
 
 QSize PinBadge::sizeHint() const {
@@ -175,11 +178,10 @@ void PinBadge::changeEvent(QEvent* event) {
 }
 
 void PinBadge::retranslate() {
-    const QSize before = sizeHint();
     m_touchedText = tr("Pins touched");
     m_downText = tr("down");
     setAccessibleName(tr("Pins touched: %1, down: %2").arg(m_touched).arg(m_down));
-    if (sizeHint() != before)
+    if (sizeHint() != size()) // room for as many digits as there are pins
         emit resized();
     update();
 }

@@ -42,6 +42,15 @@ private:
         int body = 0;
         Vec2d place;
         bool down = false;
+
+        friend bool operator==(const Spot&, const Spot&) = default;
+    };
+    // All that it says.
+    struct Said {
+        int pins = 0, touched = 0, down = 0;
+        std::vector<Spot> spots;
+
+        friend bool operator==(const Said&, const Said&) = default;
     };
 
     Context m_context;
@@ -54,6 +63,7 @@ private:
     int m_touched = 0;
     int m_down = 0;
     std::vector<Spot> m_spots; // of a rack's pins; none of other scenes'
+    Said m_said;               // by now
     QString m_touchedText;
     QString m_downText;
 };
