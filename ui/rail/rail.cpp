@@ -45,6 +45,8 @@ void Rail::setWords(Room room, const QString& name, const QString& toolTip) {
 }
 
 void Rail::setOffered(Room room, bool offered) {
+    if (isOffered(room) == offered)
+        return;
     place(room).button->setVisible(offered);
     arrange();
 }
