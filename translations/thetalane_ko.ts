@@ -1007,11 +1007,11 @@ after %2 s: off by %3 m</source>
     <name>LessonText</name>
     <message>
         <source>&quot;%1&quot; is not known; did you mean &quot;%2&quot;?</source>
-        <translation>&quot;%1&quot;은(는) 알 수 없는 값입니다. &quot;%2&quot;을(를) 뜻했습니까?</translation>
+        <translation>알 수 없는 값 &quot;%1&quot;입니다. &quot;%2&quot;인지 확인하십시오.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not fit here; must be one of %2</source>
-        <translation>&quot;%1&quot;은(는) 여기에 쓸 수 없습니다. 다음 가운데 하나여야 합니다: %2</translation>
+        <translation>여기에 쓸 수 없는 값 &quot;%1&quot;입니다. 다음 가운데 하나여야 합니다: %2</translation>
     </message>
     <message>
         <source>needs either &quot;at&quot; (&quot;start&quot;, or seconds) or &quot;collision&quot; (a number from 1)</source>
@@ -5432,7 +5432,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>✗ It is %1, not %2.</source>
-        <translation>✗ %2이(가) 아니라 %1입니다.</translation>
+        <translation>✗ 예상은 %2, 정답은 %1입니다.</translation>
     </message>
     <message>
         <source>It is %1.</source>
@@ -5490,7 +5490,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>The program ended before “%1” was saved (edited %2).</source>
-        <translation>“%1”을(를) 저장하기 전에 프로그램이 끝났습니다 (편집한 때: %2).</translation>
+        <translation>저장하지 않은 채 프로그램이 끝난 장면이 있습니다: “%1” (편집한 때: %2)</translation>
     </message>
     <message>
         <source>There are %1 such scenes.</source>
