@@ -4155,8 +4155,8 @@ after %2 s: off by %3 m</source>
         <translation>예측하는 방향, x축에서 시계 반대 방향으로 잰 각</translation>
     </message>
     <message>
-        <source>As components vx, vy</source>
-        <translation>성분 vx, vy로 입력</translation>
+        <source>As components</source>
+        <translation>성분으로 입력</translation>
     </message>
     <message>
         <source>As speed and direction</source>
