@@ -4155,10 +4155,6 @@ after %2 s: off by %3 m</source>
         <translation>예측하는 방향, x축에서 시계 반대 방향으로 잰 각</translation>
     </message>
     <message>
-        <source>As components</source>
-        <translation>성분으로 입력</translation>
-    </message>
-    <message>
         <source>As speed and direction</source>
         <translation>속력과 방향으로 입력</translation>
     </message>
@@ -4205,6 +4201,10 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Total momentum too: x, y [kg·m/s]</source>
         <translation>운동량의 합도 예측: x, y [kg·m/s]</translation>
+    </message>
+    <message>
+        <source>As components</source>
+        <translation>성분으로 입력</translation>
     </message>
 </context>
 <context>
@@ -4507,6 +4507,45 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Drag to move, turn the wheel to zoom, click a body to open its next collision</source>
         <translation>끌어서 옮기고, 휠로 확대·축소하고, 물체를 누르면 다음 충돌을 엽니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LessonCaption</name>
+    <message>
+        <source>To the question</source>
+        <translation>질문으로</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>마침</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+    <message>
+        <source>Leaves the lesson; its scene stays, to go on with</source>
+        <translation>수업을 마칩니다. 장면은 그대로 남아 계속 살펴볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>The next page (Page Down)</source>
+        <translation>다음 쪽으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>To the lesson</source>
+        <translation>수업 화면으로</translation>
+    </message>
+    <message>
+        <source>Brings the panel of the lesson to the front</source>
+        <translation>수업 패널을 앞으로 가져옵니다</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>이전</translation>
+    </message>
+    <message>
+        <source>The page before (Page Up)</source>
+        <translation>앞 쪽으로 (Page Up)</translation>
     </message>
 </context>
 <context>
@@ -5549,6 +5588,10 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Choose a scene: %1</source>
         <translation>장면 고르기: %1</translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s scene</source>
+        <translation>수업의 장면</translation>
     </message>
 </context>
 <context>
