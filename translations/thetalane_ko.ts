@@ -1018,11 +1018,11 @@ after %2 s: off by %3 m</source>
     <name>LessonText</name>
     <message>
         <source>&quot;%1&quot; is not known; did you mean &quot;%2&quot;?</source>
-        <translation>&quot;%1&quot;은(는) 알 수 없는 값입니다. &quot;%2&quot;을(를) 뜻했습니까?</translation>
+        <translation>알 수 없는 값 &quot;%1&quot;입니다. &quot;%2&quot;인지 확인하십시오.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not fit here; must be one of %2</source>
-        <translation>&quot;%1&quot;은(는) 여기에 쓸 수 없습니다. 다음 가운데 하나여야 합니다: %2</translation>
+        <translation>여기에 쓸 수 없는 값 &quot;%1&quot;입니다. 다음 가운데 하나여야 합니다: %2</translation>
     </message>
     <message>
         <source>needs either &quot;at&quot; (&quot;start&quot;, or seconds) or &quot;collision&quot; (a number from 1)</source>
@@ -4163,10 +4163,6 @@ after %2 s: off by %3 m</source>
         <translation>예측하는 방향, x축에서 시계 반대 방향으로 잰 각</translation>
     </message>
     <message>
-        <source>As components vx, vy</source>
-        <translation>성분 vx, vy로 입력</translation>
-    </message>
-    <message>
         <source>As speed and direction</source>
         <translation>속력과 방향으로 입력</translation>
     </message>
@@ -4213,6 +4209,10 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Total momentum too: x, y [kg·m/s]</source>
         <translation>운동량의 합도 예측: x, y [kg·m/s]</translation>
+    </message>
+    <message>
+        <source>As components</source>
+        <translation>성분으로 입력</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +4515,45 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Drag to move, turn the wheel to zoom, click a body to open its next collision</source>
         <translation>끌어서 옮기고, 휠로 확대·축소하고, 물체를 누르면 다음 충돌을 엽니다</translation>
+    </message>
+</context>
+<context>
+    <name>thetalane::LessonCaption</name>
+    <message>
+        <source>To the question</source>
+        <translation>질문으로</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>마침</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+    <message>
+        <source>Leaves the lesson; its scene stays, to go on with</source>
+        <translation>수업을 마칩니다. 장면은 그대로 남아 계속 살펴볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>The next page (Page Down)</source>
+        <translation>다음 쪽으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>To the lesson</source>
+        <translation>수업 화면으로</translation>
+    </message>
+    <message>
+        <source>Brings the panel of the lesson to the front</source>
+        <translation>수업 패널을 앞으로 가져옵니다</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>이전</translation>
+    </message>
+    <message>
+        <source>The page before (Page Up)</source>
+        <translation>앞 쪽으로 (Page Up)</translation>
     </message>
 </context>
 <context>
@@ -5440,7 +5479,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>✗ It is %1, not %2.</source>
-        <translation>✗ %2이(가) 아니라 %1입니다.</translation>
+        <translation>✗ 예상은 %2, 정답은 %1입니다.</translation>
     </message>
     <message>
         <source>It is %1.</source>
@@ -5498,7 +5537,7 @@ after %2 s: off by %3 m</source>
     </message>
     <message>
         <source>The program ended before “%1” was saved (edited %2).</source>
-        <translation>“%1”을(를) 저장하기 전에 프로그램이 끝났습니다 (편집한 때: %2).</translation>
+        <translation>저장하지 않은 채 프로그램이 끝난 장면이 있습니다: “%1” (편집한 때: %2)</translation>
     </message>
     <message>
         <source>There are %1 such scenes.</source>
@@ -5557,6 +5596,10 @@ after %2 s: off by %3 m</source>
     <message>
         <source>Choose a scene: %1</source>
         <translation>장면 고르기: %1</translation>
+    </message>
+    <message>
+        <source>The lesson&apos;s scene</source>
+        <translation>수업의 장면</translation>
     </message>
 </context>
 <context>

@@ -120,6 +120,28 @@ private slots:
         QVERIFY(bench.text("predictTruth").contains(numberText(t.after.first.x, 3)));
     }
 
+    void fieldsFollowEachOtherAsTheyAreRead() {
+        PredictBench bench("two-balls");
+        click(*bench.panel, "beginPrediction");
+        bench.panel->activateWindow();
+        bench.panel->findChild<QLineEdit*>("guessFirstX")->setFocus();
+        for (const char* next :
+             {"guessFirstY", "guessSecondX", "guessSecondY", "guessMode", "guessMomentum"}) {
+            QTest::keyClick(bench.panel->focusWidget(), Qt::Key_Tab);
+            QCOMPARE(bench.panel->focusWidget()->objectName(), QString(next));
+        }
+    }
+
+    // A speed that nobody could drag an arrow to still has its tip in the figure.
+    void aTypedArrowEndsInside() {
+        PredictBench bench("two-balls");
+        click(*bench.panel, "beginPrediction");
+        type(*bench.panel, "guessFirstX", "40");
+        type(*bench.panel, "guessSecondY", "-30");
+        for (const int body : {0, 1})
+            QVERIFY(QRectF(bench.figure().rect()).contains(bench.figure().tip(body)));
+    }
+
     void aTipIsDragged() {
         PredictBench bench("right-angle");
         click(*bench.panel, "beginPrediction");

@@ -3,6 +3,7 @@
 
 #include "core/scene/builtin.h"
 #include "ui/game/alley.h"
+#include "ui/lessons/lesson_panel.h"
 #include "ui/rail/rail.h"
 #include "ui/rail/rail_button.h"
 
@@ -221,6 +222,27 @@ private slots:
         const QString kept = p.window.alley().path();
         p.window.alley().close();
         QVERIFY(QFile::remove(kept));
+    }
+
+    // A stop that shows another panel keeps its words in sight; a question brings its own panel back, and the
+    // title of its scene does not answer it.
+    void aLessonIsReadWhateverPanelIsInFront() {
+        Program p(Language::Code::Korean, {1024, 700});
+        p.window.enter(Room::Lessons);
+        auto* lessons = p.window.findChild<LessonPanel*>();
+        lessons->giveLesson(4);
+        QVERIFY(p.window.findChild<QAbstractButton*>("sceneButton")->text().endsWith("수업의 장면"));
+        auto* words = p.window.findChild<QLabel*>("lessonCaptionText");
+        QVERIFY(!words->isVisible());
+        lessons->player().goTo(2); // shows the steps
+        QVERIFY(!lessons->isVisible() && words->isVisible());
+        QVERIFY(!words->text().isEmpty());
+        QTest::qWait(1);
+        QVERIFY(words->height() + 1 >= words->heightForWidth(words->width()));
+        p.window.findChild<QAbstractButton*>("captionBack")->click(); // the question
+        QVERIFY(lessons->isVisible() && !words->isVisible());
+        lessons->player().leave();
+        QVERIFY(!p.window.findChild<QAbstractButton*>("sceneButton")->text().endsWith("수업의 장면"));
     }
 
     void koreanPagesHoldNoEnglish_data() { sceneRows(); }

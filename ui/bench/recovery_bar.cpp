@@ -86,8 +86,8 @@ void RecoveryBar::restyle() {
     layout()->setContentsMargins(2 * unit, unit / 2, unit, unit / 2);
     layout()->setSpacing(unit);
     setStyleSheet(panelStyle(m_appearance) +
-                  QStringLiteral("#recoveryBar { background: #FFF4D6; } #recoveryText { color: %1; }")
-                      .arg(m_appearance.text().name()));
+                  QStringLiteral("#recoveryBar { background: %2; } #recoveryText { color: %1; }")
+                      .arg(m_appearance.text().name(), m_appearance.wood().name()));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_text, m_recover, m_discard})
         widget->setFont(m_appearance.font(Appearance::Size::Normal));
 }

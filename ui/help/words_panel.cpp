@@ -7,6 +7,21 @@
 
 namespace thetalane {
 
+namespace {
+
+// Arrows look the same in every language, and on the keys.
+QString keyText(const QKeySequence& keys) {
+    QString text = keys.toString(QKeySequence::PortableText);
+    static const std::pair<const char*, const char16_t*> names[] = {
+        {"Left", u"←"}, {"Right", u"→"}, {"Up", u"↑"}, {"Down", u"↓"}, {"Return", u"Enter"}};
+    for (const auto& [name, sign] : names)
+        if (text == QLatin1String(name) || text.endsWith(u'+' + QLatin1String(name)))
+            text.replace(QLatin1String(name), QString::fromUtf16(sign));
+    return text;
+}
+
+} // namespace
+
 WordsPanel::WordsPanel(const Context& context, std::function<std::vector<KeyLine>()> keys, QWidget* parent)
     : Panel(context, parent)
     , m_keys(std::move(keys))
@@ -39,6 +54,9 @@ void WordsPanel::retranslate() {
 
 void WordsPanel::restyle() {
     Panel::restyle();
+    // The window's tool buttons are to be hit; the one in the field has its height.
+    setStyleSheet(styleSheet() +
+                  QStringLiteral("QLineEdit QToolButton { min-height: 0; padding: 0; border: none; }"));
     const int u = appearance().unit();
     layout()->setContentsMargins(u, u, u, u);
     layout()->setSpacing(u);
@@ -77,8 +95,7 @@ QString WordsPanel::keysHtml() const {
     for (const KeyLine& line : m_keys())
         if (!line.what.isEmpty())
             rows += QString("<tr><td style=\"padding-right:16px\"><b>%1</b></td><td>%2</td></tr>")
-                        .arg(line.keys.toString(QKeySequence::NativeText).toHtmlEscaped(),
-                             line.what.toHtmlEscaped());
+                        .arg(keyText(line.keys).toHtmlEscaped(), line.what.toHtmlEscaped());
     return "<table cellspacing=\"4\">" + rows + "</table>";
 }
 

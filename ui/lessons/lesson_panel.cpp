@@ -214,6 +214,7 @@ void LessonPanel::showError() {
 }
 
 void LessonPanel::showShelf() {
+    emit asking(false);
     m_stack->setCurrentIndex(0);
     m_changed->hide();
     if (!m_cards.empty())
@@ -233,6 +234,7 @@ void LessonPanel::showPage() {
     m_body->setCurrentIndex(m_player->isQuestion() ? 1 : 0);
     m_changed->setVisible(m_player->isChanged());
     m_back->setEnabled(m_player->page() > 0);
+    emit asking(asks());
     const bool isLast = m_player->page() + 1 == m_player->pageCount();
     setWords(*m_back, tr("Back"), tr("The page before (Page Up)"));
     if (asks())

@@ -42,6 +42,7 @@ signals:
     // What else a stop brings to the front; the window knows where that is.
     void showRequested(thetalane::LessonShow what);
     void running(bool isRunning);
+    void asking(bool isOpen); // while true, others had better not tell the answer
 
 protected:
     void restyle() override;

@@ -1,5 +1,6 @@
 #include "ui/lessons/lesson_text.h"
 
+#include "ui/words/kept_units.h"
 #include "ui/words/number_text.h"
 #include "ui/words/scene_text.h"
 #include "ui/words/worked_steps.h"
@@ -162,7 +163,7 @@ QString keptWords(QString words) {
     for (qsizetype i = words.size() - 1; i > 0; --i)
         if (isHangul(words[i]) && !words[i - 1].isSpace())
             words.insert(i, QChar(0x2060)); // a joiner without width
-    return words;
+    return keptUnits(words);
 }
 
 } // namespace thetalane

@@ -19,6 +19,10 @@ const char* const fields = R"(
                                     min-height: %bigpx; padding: 0 16px; }
     QPushButton[prominent="true"]:hover { background: %dark; }
     QPushButton[prominent="true"]:focus { border: 2px solid %text; }
+    QPushButton[prominent="true"]:disabled { background: %line; color: %quiet; }
+    QCheckBox::indicator:unchecked { border: 1px solid %quiet; border-radius: 3px; background: %card; }
+    QCheckBox::indicator:unchecked:hover { border-color: %accent; }
+    QCheckBox::indicator:checked { margin: 1px; }
     QPushButton[quiet="true"] { border: none; background: transparent; color: %accent; padding: 0 8px; }
     QPushButton[quiet="true"]:hover { text-decoration: underline; }
     QPushButton[quiet="true"]:focus { border: 2px solid %accent; padding: 0 6px; }

@@ -121,13 +121,20 @@ void SceneChooser::choose(const QString& id) {
     m_guard ? m_guard(open) : open();
 }
 
+void SceneChooser::setInLesson(bool on) {
+    m_inLesson = on;
+    showCurrent();
+}
+
 void SceneChooser::showCurrent() {
     const Scene& scene = session().scene();
     QString title = sceneTitle(scene, languageOfNow());
     const bool edited = session().sceneId().isEmpty() && isBuiltinTitle(scene.title);
-    if (title.isEmpty())
+    if (m_inLesson)
+        title = tr("The lesson's scene");
+    else if (title.isEmpty())
         title = tr("A scene of one's own");
-    const QString pattern = edited ? tr("%1 (edited)") : QStringLiteral("%1");
+    const QString pattern = edited && !m_inLesson ? tr("%1 (edited)") : QStringLiteral("%1");
     m_button->setToolTip(tr("Choose a scene: %1").arg(pattern.arg(title)));
     // What has to go is the end of the title, not the mark behind it.
     const QFontMetrics metrics(appearance().font(Appearance::Size::Normal));

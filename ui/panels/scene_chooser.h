@@ -21,6 +21,7 @@ public:
     void setGuard(std::function<void(std::function<void()>)> guard) { m_guard = std::move(guard); }
 
     void retranslate() override;
+    void setInLesson(bool on); // a title could tell what the lesson asks
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -44,6 +45,7 @@ private:
     std::function<void(std::function<void()>)> m_guard;
     QPushButton* m_button;
     QMenu* m_menu;
+    bool m_inLesson = false;
 };
 
 } // namespace thetalane

@@ -78,7 +78,8 @@ std::optional<std::size_t> ScrubBar::collisionNear(double x) const {
     double nearest = reach + 0.5;
     const auto consider = [&](std::size_t k) {
         const double distance = std::abs(xAt(collisions[k].time) - x);
-        if (distance < nearest && collisions[k].time <= m_context.playhead.end()) {
+        const double seen = m_futureHidden ? m_context.playhead.time() : m_context.playhead.end();
+        if (distance < nearest && collisions[k].time <= seen) {
             nearest = distance;
             best = k;
         }
@@ -196,6 +197,11 @@ void ScrubBar::paintLine(QPainter& painter, double thick) const {
     painter.drawLine(QPointF(margin(), middle()), QPointF(computed, middle()));
 }
 
+void ScrubBar::hideFuture(bool hidden) {
+    m_futureHidden = hidden;
+    update();
+}
+
 void ScrubBar::paintEvent(QPaintEvent*) {
     const Appearance& look = m_context.appearance;
     QPainter painter(this);
@@ -206,7 +212,10 @@ void ScrubBar::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(look.accent(), thick, Qt::SolidLine, Qt::RoundCap));
     if (now > margin())
         painter.drawLine(QPointF(margin(), middle()), QPointF(now, middle()));
+    if (m_futureHidden)
+        painter.setClipRect(QRectF(0, 0, now, height()));
     painter.drawPixmap(0, 0, ticks());
+    painter.setClipping(false);
 
     const double radius = look.projector() ? 9 : 6;
     painter.setPen(QPen(look.card(), 2));

@@ -24,6 +24,7 @@ public:
     std::optional<std::size_t> collisionNear(double x) const; // index in the chapter
 
     void retranslate();
+    void hideFuture(bool hidden); // the ticks of what is still to come
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -53,6 +54,7 @@ private:
     double m_ticksUntil = 0;
     double m_pressedAt = 0;
     bool m_pressed = false;
+    bool m_futureHidden = false;
     bool m_dragging = false;
     int m_wheel = 0;
 };

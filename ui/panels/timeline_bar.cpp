@@ -136,6 +136,10 @@ void TimelineBar::showReachable() {
 
 // In one row where there is room for a line worth dragging on, else in two: the line above, the buttons
 // below.
+void TimelineBar::hideFuture(bool hidden) {
+    m_scrub->hideFuture(hidden);
+}
+
 void TimelineBar::arrange() {
     const int unit = appearance().unit();
     const int others = m_controls->sizeHint().width() + m_rate->sizeHint().width() + timesWidth() + 5 * unit;

@@ -19,6 +19,7 @@ public:
     explicit TimelineBar(const Context& context, QWidget* parent = nullptr);
 
     void retranslate() override;
+    void hideFuture(bool hidden); // where the next collisions are
     // As the user left them: slow motion at impact.
     void restoreChoices();
     QSize sizeHint() const override;

@@ -72,6 +72,19 @@ GuessFields::GuessFields(const Appearance& appearance, QWidget* parent)
     restyle();
     retranslate();
     showMarks();
+    // As they are read, not as they were made.
+    const std::initializer_list<QWidget*> order{field(FirstX).edit(),
+                                                field(FirstY).edit(),
+                                                field(SecondX).edit(),
+                                                field(SecondY).edit(),
+                                                m_mode,
+                                                m_momentum,
+                                                field(MomentumX).edit(),
+                                                field(MomentumY).edit(),
+                                                m_energy,
+                                                field(Energy).edit()};
+    for (auto next = order.begin() + 1; next != order.end(); ++next)
+        setTabOrder(*(next - 1), *next);
 }
 
 void GuessFields::makeFields() {
@@ -186,9 +199,9 @@ void GuessFields::retranslate() {
         field(2 * b).setUnit(QStringLiteral("m/s"));
         field(2 * b + 1).setUnit(m_polar ? QStringLiteral("°") : QStringLiteral("m/s"));
     }
-    m_heads[0]->setText(m_polar ? tr("Speed") : QStringLiteral("vx"));
-    m_heads[1]->setText(m_polar ? tr("Direction") : QStringLiteral("vy"));
-    m_mode->setText(m_polar ? tr("As components vx, vy") : tr("As speed and direction"));
+    m_heads[0]->setText(m_polar ? tr("Speed") : QStringLiteral("<i>v</i><sub>x</sub>"));
+    m_heads[1]->setText(m_polar ? tr("Direction") : QStringLiteral("<i>v</i><sub>y</sub>"));
+    m_mode->setText(m_polar ? tr("As components") : tr("As speed and direction"));
     m_mode->setToolTip(tr("How the velocities are typed"));
     m_mode->setAccessibleName(m_mode->text());
     m_momentum->setText(tr("Total momentum too: x, y [kg·m/s]"));
@@ -211,7 +224,7 @@ void GuessFields::restyle() {
             QStringLiteral("color: %1;").arg(m_appearance.textInk(b == 0 ? Ink::First : Ink::Second).name()));
     }
     for (QLabel* head : m_heads) {
-        head->setFont(m_appearance.font(Size::Small));
+        head->setFont(m_appearance.font(Size::Normal));
         head->setStyleSheet(QStringLiteral("color: %1;").arg(m_appearance.quietText().name()));
     }
     m_mode->setFont(m_appearance.font(Size::Small));

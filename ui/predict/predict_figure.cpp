@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace thetalane {
 namespace {
@@ -17,6 +18,17 @@ using Size = Appearance::Size;
 
 Vec2d rounded(const Vec2d& v, double step) {
     return {std::round(v.x / step) * step, std::round(v.y / step) * step};
+}
+
+// How long an arrow from a place may be drawn so that its tip stays in the room [px per m/s].
+double reachOf(const QPointF& from, const Vec2d& v, const QRectF& room) {
+    const auto along = [](double start, double pace, double low, double high) {
+        return pace > 0   ? (high - start) / pace
+               : pace < 0 ? (low - start) / pace
+                          : std::numeric_limits<double>::infinity();
+    };
+    return std::max(0.0, std::min(along(from.x(), v.x, room.left(), room.right()),
+                                  along(from.y(), -v.y, room.top(), room.bottom())));
 }
 
 // A step that reads well, about a hundredth of the speed: 0.01, 0.02, 0.05, 0.1 …
@@ -50,8 +62,8 @@ void PredictFigure::setKnown(const Known& known) {
 
 void PredictFigure::setGuess(const VelocityPair<double>& guess) {
     m_guess = guess;
+    keepInside();
     retranslate();
-    update();
 }
 
 void PredictFigure::reveal(const std::optional<VelocityPair<double>>& truth) {
@@ -93,12 +105,26 @@ double PredictFigure::pixelsPerMetre() const {
     return metres > 0 ? 0.36 * size / metres : 1;
 }
 
-// From the masses alone: as fast as the lighter one may get to be.
+// What is typed may be longer than what a tip can be dragged to.
+void PredictFigure::keepInside() {
+    m_inside = m_guess;
+    update();
+}
+
+// From the masses alone: as fast as the lighter one may get to be; and no arrow ends outside.
 double PredictFigure::pixelsPerSpeed() const {
     const double masses = m_known.first.mass + m_known.second.mass;
     const double gain = m_known.isWall ? 1 : 2 * std::max(m_known.first.mass, m_known.second.mass) / masses;
     const double widest = m_known.speed * 1.2 * gain;
-    return widest > 0 ? 0.46 * std::min(width(), height()) / widest : 1;
+    double scale = widest > 0 ? 0.46 * std::min(width(), height()) / widest : 1;
+    const double edge = m_appearance.projector() ? 16 : 12; // for the ring at the tip
+    const QRectF room = QRectF(rect()).adjusted(edge, edge, -edge, -edge - m_appearance.pixels(Size::Small));
+    for (int b = 0; b < bodies(); ++b) {
+        scale = std::min(scale, reachOf(centre(b), b == 0 ? m_inside.first : m_inside.second, room));
+        if (m_truth)
+            scale = std::min(scale, reachOf(centre(b), b == 0 ? m_truth->first : m_truth->second, room));
+    }
+    return scale;
 }
 
 // Seen from the point where they touch, which is in the middle.
@@ -128,6 +154,8 @@ int PredictFigure::tipAt(QPointF where) const {
 
 void PredictFigure::put(int body, const Vec2d& velocity) {
     guessOf(body) = velocity;
+    if (m_dragged < 0)
+        keepInside();
     retranslate();
     update();
     emit guessed(m_guess);
@@ -155,6 +183,7 @@ void PredictFigure::mouseMoveEvent(QMouseEvent* event) {
 
 void PredictFigure::mouseReleaseEvent(QMouseEvent* event) {
     m_dragged = -1;
+    keepInside();
     setCursor(!m_truth && tipAt(event->position()) >= 0 ? Qt::OpenHandCursor : Qt::ArrowCursor);
 }
 
@@ -281,7 +310,7 @@ void PredictFigure::paintKey(QPainter& painter) const {
     double x = look.unit();
     for (const Row& row : rows) {
         const double y = height() - metrics.height() / 2.0 - 4;
-        painter.setPen(QPen(row.quiet ? look.quietText() : look.text(), row.width, row.style));
+        painter.setPen(QPen(row.quiet ? look.quietText() : look.text(), row.width, row.style, Qt::FlatCap));
         painter.drawLine(QPointF(x, y), QPointF(x + 24, y));
         painter.setPen(look.text());
         painter.drawText(QPointF(x + 30, y + metrics.ascent() / 2.0 - 1), row.text);

@@ -55,6 +55,7 @@ private:
     QPointF centre(int body) const;
     double pixelsPerMetre() const;
     double pixelsPerSpeed() const;
+    void keepInside();
     int tipAt(QPointF where) const; // -1: none
     bool keyPressed(int key, Qt::KeyboardModifiers modifiers);
     void put(int body, const Vec2d& velocity);
@@ -70,6 +71,7 @@ private:
     std::optional<VelocityPair<double>> m_truth;
     int m_chosen = 0;
     int m_dragged = -1;
+    VelocityPair<double> m_inside; // the guess that the scale is made for; it holds while a tip is dragged
 };
 
 } // namespace thetalane

@@ -5,6 +5,7 @@
 #include "ui/predict/guess_fields.h"
 #include "ui/predict/predict_figure.h"
 #include "ui/predict/predict_words.h"
+#include "ui/words/kept_units.h"
 #include "ui/words/number_text.h"
 
 #include <QEvent>
@@ -89,6 +90,7 @@ QWidget* PredictPanel::makeWork(const Context& context) {
     for (QWidget* w : std::initializer_list<QWidget*>{m_title, m_facts, m_score, m_figure, m_wrong, m_truth,
                                                       m_fields, m_message, m_rule})
         m_column->addWidget(w, w == m_figure ? 1 : 0);
+    m_column->addStretch(1); // what the figure leaves is left below
     m_scroll = new QScrollArea;
     m_scroll->setWidget(inside);
     m_scroll->viewport()->installEventFilter(this);
@@ -165,7 +167,10 @@ void PredictPanel::reveal() {
         return;
     m_verdict = judge(m_collision.steps, m_fields->prediction());
     m_figure->reveal(m_collision.steps.after);
+    const bool hadFocus = isAncestorOf(window()->focusWidget());
     setState(State::Revealed);
+    if (hadFocus) // the fields are gone
+        m_next->setFocus();
     playhead().selectNumber(m_number);
     playhead().setStage(Stage::Check); // before and after, side by side
     m_scroll->ensureVisible(0, 0);
@@ -202,7 +207,23 @@ void PredictPanel::setState(State state) {
     m_fields->setEditable(state == State::Predicting);
     m_fields->setVisible(state != State::Revealed); // the figure and the words have them then
     showWords();
-    emit predicting(state == State::Predicting);
+    tellOthers();
+}
+
+// Who is about to predict does not want to see it either.
+void PredictPanel::tellOthers() {
+    emit predicting(m_state == State::Predicting ||
+                    (m_state == State::Invitation && isVisible() && wanted()));
+}
+
+void PredictPanel::showEvent(QShowEvent* event) {
+    Panel::showEvent(event);
+    tellOthers();
+}
+
+void PredictPanel::hideEvent(QHideEvent* event) {
+    Panel::hideEvent(event);
+    tellOthers();
 }
 
 void PredictPanel::followPlayhead() {
@@ -274,7 +295,7 @@ void PredictPanel::fit() {
     m_column->invalidate();
     const int height = m_column->totalHeightForWidth(room.width());
     const int spare = std::max(0, room.height() - height);
-    m_figure->setFixedHeight(std::min(least + spare, 2 * least));
+    m_figure->setFixedHeight(std::min(least + spare, std::max(least, room.width())));
     m_scroll->widget()->resize(room.width(), height + spare);
 }
 
@@ -282,7 +303,7 @@ void PredictPanel::showVerdict() {
     m_score->setText(tr("%1 / 100 · %2").arg(m_verdict->score).arg(praise(*m_verdict)));
     QStringList wrong;
     for (const Diagnosis& d : m_verdict->wrong)
-        wrong << QStringLiteral("• ") + diagnosisText(m_run->scene, m_collision, d);
+        wrong << QStringLiteral("• ") + keptUnits(diagnosisText(m_run->scene, m_collision, d));
     m_wrong->setText(wrong.mid(0, 3).join(u'\n'));
     m_wrong->setVisible(!wrong.isEmpty());
     m_truth->setText(truthText());
@@ -308,9 +329,12 @@ QString PredictPanel::truthText() const {
         compare(bodyName(m_run->scene, m_collision.second), velocity(guess.after.second),
                 velocity(s.after.second), "m/s");
     const double energy = energyOf(s, s.before);
-    compare(tr("Energy lost"), guess.energyLost ? number(*guess.energyLost, energy) : QStringLiteral("?"),
-            number(s.energyLoss, energy), "J");
-    return tr("Expected → truth") + u'\n' + lines.join(u'\n');
+    const QString lost = number(s.energyLoss, energy);
+    if (guess.energyLost)
+        compare(tr("Energy lost"), number(*guess.energyLost, energy), lost, "J");
+    else
+        lines << QStringLiteral("%1: %2 J").arg(tr("Energy lost"), lost);
+    return tr("Expected → truth") + u'\n' + keptUnits(lines.join(u'\n'));
 }
 
 void PredictPanel::retranslate() {

@@ -43,6 +43,8 @@ signals:
 protected:
     void restyle() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     QWidget* makeInvitation();
@@ -59,6 +61,7 @@ private:
     void showInvitation();
     void fit();
     void showVerdict();
+    void tellOthers();
     QString truthText() const;
 
     State m_state = State::Invitation;

@@ -54,10 +54,12 @@ std::vector<SheetCell> BodiesModel::row(int row) const {
     } else {
         const std::vector<BodyState> states = m_run->timeline.stateAt(m_time);
         const Totals sums = totals(scene, states);
-        double mass = 0;
-        for (const Body& b : scene.bodies)
-            mass += b.mass;
-        m_kept = totalRow(mass, sums.momentum, sums.energy);
+        double mass = 0, scale = 0;
+        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+            mass += scene.bodies[b].mass;
+            scale += scene.bodies[b].mass * norm(states[b].velocity);
+        }
+        m_kept = totalRow(mass, sums.momentum, sums.energy, scale);
     }
     m_keptRow = row;
     return m_kept;

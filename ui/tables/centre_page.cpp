@@ -62,11 +62,16 @@ Sheet CentrePage::sheet() const {
                  {QStringLiteral("vy"), speed},
                  {QStringLiteral("v"), speed}},
                 {}};
-    const CentreOfMass centre =
-        centreOfMass(session().scene(), session().timeline().stateAt(playhead().time()));
+    const Scene& scene = session().scene();
+    const auto states = session().timeline().stateAt(playhead().time());
+    const CentreOfMass centre = centreOfMass(scene, states);
+    double scale = 0; // against it a velocity is rounding or is not
+    for (std::size_t b = 0; b < states.size(); ++b)
+        scale += scene.bodies[b].mass * norm(states[b].velocity) / centre.mass;
     sheet.rows.push_back({numberCell(centre.position.x, metre), numberCell(centre.position.y, metre),
-                          numberCell(centre.velocity.x, speed), numberCell(centre.velocity.y, speed),
-                          numberCell(norm(centre.velocity), speed)});
+                          numberCellOf(centre.velocity.x, scale, speed),
+                          numberCellOf(centre.velocity.y, scale, speed),
+                          numberCellOf(norm(centre.velocity), scale, speed)});
     return sheet;
 }
 

@@ -21,20 +21,24 @@ const QString joule = QStringLiteral("J");
 
 // What a row of a body says, in this order; the units are those of bodyColumns().
 std::vector<SheetCell> valuesOf(double mass, const Vec2d& v) {
-    return {numberCell(mass, QStringLiteral("kg")), numberCell(v.x, metresPerSecond),
-            numberCell(v.y, metresPerSecond),       numberCell(norm(v), metresPerSecond),
-            numberCell(mass * v.x, momentumUnit),   numberCell(mass * v.y, momentumUnit),
+    const double speed = norm(v);
+    return {numberCell(mass, QStringLiteral("kg")),
+            numberCellOf(v.x, speed, metresPerSecond),
+            numberCellOf(v.y, speed, metresPerSecond),
+            numberCell(speed, metresPerSecond),
+            numberCellOf(mass * v.x, mass * speed, momentumUnit),
+            numberCellOf(mass * v.y, mass * speed, momentumUnit),
             numberCell(mass * dot(v, v) / 2, joule)};
 }
 
 // A total has no velocity of its own.
-std::vector<SheetCell> totalsOf(double mass, const Vec2d& p, double energy) {
+std::vector<SheetCell> totalsOf(double mass, const Vec2d& p, double energy, double scale) {
     return {numberCell(mass, QStringLiteral("kg"), Ink::Plain, true),
             {},
             {},
             {},
-            numberCell(p.x, momentumUnit, Ink::Plain, true),
-            numberCell(p.y, momentumUnit, Ink::Plain, true),
+            numberCellOf(p.x, scale, momentumUnit, Ink::Plain, true),
+            numberCellOf(p.y, scale, momentumUnit, Ink::Plain, true),
             numberCell(energy, joule, Ink::Plain, true)};
 }
 
@@ -96,10 +100,6 @@ PassSums sumsOf(std::span<const Collision> pass) {
     return sums;
 }
 
-bool isRounding(double residual, double scale) {
-    return std::abs(residual) <= 1e-12 * scale;
-}
-
 std::optional<double> measuredRestitution(const PairCollision<double>& s) {
     const double before = s.rotated.first.x - s.rotated.second.x;
     if (before == 0)
@@ -125,9 +125,9 @@ std::vector<SheetCell> bodyRow(const QString& name, double mass, const Vec2d& ve
     return row;
 }
 
-std::vector<SheetCell> totalRow(double mass, const Vec2d& momentum, double energy) {
+std::vector<SheetCell> totalRow(double mass, const Vec2d& momentum, double energy, double scale) {
     std::vector<SheetCell> row{textCell(SheetText::tr("Total"), Ink::Plain, true)};
-    for (SheetCell& cell : totalsOf(mass, momentum, energy))
+    for (SheetCell& cell : totalsOf(mass, momentum, energy, scale))
         row.push_back(std::move(cell));
     return row;
 }
@@ -143,7 +143,7 @@ Sheet blockSheet(const Scene& scene, std::span<const Collision> collisions, std:
             sheet.rows.push_back(bodyRow(bodyName(scene, b.body), b.mass, after ? b.after : b.before,
                                          inkOf(collisions[index], b.body, {})));
         sheet.rows.push_back(totalRow(sums.mass, after ? sums.momentumAfter : sums.momentumBefore,
-                                      after ? sums.energyAfter : sums.energyBefore));
+                                      after ? sums.energyAfter : sums.energyBefore, sums.momentumScale));
     }
     return sheet;
 }
@@ -165,8 +165,8 @@ Sheet narrowSheet(const Scene& scene, std::span<const Collision> collisions, std
         block(valuesOf(b.mass, b.before), valuesOf(b.mass, b.after));
     }
     sheet.rows.push_back(heading(SheetText::tr("Total")));
-    block(totalsOf(sums.mass, sums.momentumBefore, sums.energyBefore),
-          totalsOf(sums.mass, sums.momentumAfter, sums.energyAfter));
+    block(totalsOf(sums.mass, sums.momentumBefore, sums.energyBefore, sums.momentumScale),
+          totalsOf(sums.mass, sums.momentumAfter, sums.energyAfter, sums.momentumScale));
     return sheet;
 }
 
@@ -206,8 +206,8 @@ Sheet collisionRecord(const Scene& scene, std::span<const Collision> collisions,
         sheet.rows.push_back(
             join(bodyRow(name, b.mass, b.before, Ink::Plain), bodyRow(name, b.mass, b.after, Ink::Plain)));
     }
-    sheet.rows.push_back(join(totalRow(sums.mass, sums.momentumBefore, sums.energyBefore),
-                              totalRow(sums.mass, sums.momentumAfter, sums.energyAfter)));
+    sheet.rows.push_back(join(totalRow(sums.mass, sums.momentumBefore, sums.energyBefore, sums.momentumScale),
+                              totalRow(sums.mass, sums.momentumAfter, sums.energyAfter, sums.momentumScale)));
     const auto line = [&](const QString& name, const SheetCell& value) {
         sheet.rows.push_back({textCell(name), value});
     };

@@ -21,9 +21,6 @@ struct PassSums {
 };
 PassSums sumsOf(std::span<const Collision> pass);
 
-// Whether `residual` is what rounding leaves of numbers of that size.
-bool isRounding(double residual, double scale);
-
 // −(va′ − vb′) after / before along x′; nothing where they did not approach.
 std::optional<double> measuredRestitution(const PairCollision<double>& steps);
 
@@ -36,9 +33,9 @@ Sheet checkSheet(const Scene& scene, std::span<const Collision> collisions, std:
 // For files and the clipboard: a row a body, before and after side by side; the checks below.
 Sheet collisionRecord(const Scene& scene, std::span<const Collision> collisions, std::size_t index);
 
-// All bodies at one moment, and their sum.
+// All bodies at one moment, and their sum; scale: Σ m|v|, against it a sum is rounding or is not.
 std::vector<SheetColumn> bodyColumns();
 std::vector<SheetCell> bodyRow(const QString& name, double mass, const Vec2d& velocity, Ink ink);
-std::vector<SheetCell> totalRow(double mass, const Vec2d& momentum, double energy);
+std::vector<SheetCell> totalRow(double mass, const Vec2d& momentum, double energy, double scale);
 
 } // namespace thetalane

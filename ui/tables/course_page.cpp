@@ -68,8 +68,9 @@ void CoursePage::showPlots() {
     momentum.x = energy.x;
     momentum.y = {QStringLiteral("p [kg·m/s]"), false, {}, {}};
     PlotSeries total{{}, appearance().text(), Qt::SolidLine, Marker::None, {}};
-    PlotSeries px{QStringLiteral("px"), appearance().ink(Ink::First), Qt::SolidLine, Marker::None, {}};
-    PlotSeries py{QStringLiteral("py"), appearance().ink(Ink::Second), Qt::DashLine, Marker::None, {}};
+    // The inks are the two bodies'; a sum has none.
+    PlotSeries px{QStringLiteral("px"), appearance().text(), Qt::SolidLine, Marker::None, {}};
+    PlotSeries py{QStringLiteral("py"), appearance().quietText(), Qt::DashLine, Marker::None, {}};
     double most = 0;
     for (const SummedMoment& m : m_history.moments) {
         total.points.push_back({m.time, m.totals.energy, {}});

@@ -4,6 +4,8 @@
 
 #include <QStringList>
 
+#include <cmath>
+
 namespace thetalane {
 namespace {
 
@@ -51,6 +53,17 @@ SheetCell textCell(const QString& text, Ink ink, bool strong) {
 SheetCell numberCell(double value, const QString& unit, Ink ink, bool strong) {
     const QString exact = exactText(value);
     return {numberText(value), exact, unit.isEmpty() ? exact : exact + u' ' + unit, ink, strong};
+}
+
+bool isRounding(double residual, double scale) {
+    return std::abs(residual) <= 1e-12 * scale;
+}
+
+SheetCell numberCellOf(double value, double scale, const QString& unit, Ink ink, bool strong) {
+    SheetCell cell = numberCell(value, unit, ink, strong);
+    if (isRounding(value, scale))
+        cell.shown = QStringLiteral("0");
+    return cell;
 }
 
 QString columnTitle(const SheetColumn& column) {

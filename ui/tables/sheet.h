@@ -31,6 +31,11 @@ struct Sheet {
 SheetCell textCell(const QString& text, Ink ink = Ink::Plain, bool strong = false);
 SheetCell numberCell(double value, const QString& unit, Ink ink = Ink::Plain, bool strong = false);
 
+// Whether `residual` is what rounding leaves of numbers of that size.
+bool isRounding(double residual, double scale);
+// What rounding leaves of nothing, against numbers of the size of `scale`, shows as 0; its digits stay.
+SheetCell numberCellOf(double value, double scale, const QString& unit, Ink ink = Ink::Plain,
+                       bool strong = false);
 QString columnTitle(const SheetColumn& column); // "vx [m/s]"
 
 // Parted by tabs, for the clipboard: all digits, a line for each row.

@@ -14,6 +14,7 @@
 #include "ui/lane/lane_panel.h"
 #include "ui/lane/lane_scene.h"
 #include "ui/lane/lane_view.h"
+#include "ui/lessons/lesson_caption.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/map/map_panel.h"
 #include "ui/panels/bodies_panel.h"
@@ -42,6 +43,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace thetalane {
 namespace {
@@ -143,7 +145,9 @@ void MainWindow::buildCentre() {
     connect(m_alley, &Alley::changed, this, &MainWindow::followGame);
     // Diagrams and ghosts like room.
     connect(m_rail, &Rail::entered, m_divide, [this](Room room) {
-        m_divide->setShare(room == Room::Accuracy ? 0.5 : room == Room::Map ? 0.4 : 0.3);
+        m_divide->setShare(room == Room::Accuracy                      ? 0.5
+                           : room == Room::Map || room == Room::Tables ? 0.4
+                                                                       : 0.3);
     });
 }
 
@@ -187,6 +191,7 @@ void MainWindow::furnishClassroom() {
         connect(lessons, &LessonPanel::showRequested, this, &MainWindow::bringForward);
         connect(lessons, &LessonPanel::running, this, [this](bool running) {
             m_inLesson = running;
+            m_topBar->scenes().setInLesson(running);
             m_edit->setEnabled(!running);
             m_desk->setRecording(!running && !m_alley->isOn());
         });
@@ -197,14 +202,43 @@ void MainWindow::furnishClassroom() {
             m_files->whenSafe([this] { m_mayLoseEdits = true; });
             return false;
         });
+        connect(lessons, &LessonPanel::asking, m_lane, [this](bool asks) {
+            if (std::exchange(m_isAsked, asks) == asks)
+                return;
+            hideFuture();
+            if (asks)
+                enter(Room::Lessons);
+        });
+        addCaption(*lessons);
         return lessons;
     });
     m_rail->furnish(Room::Predict, [this](QWidget* parent) {
         auto* predict = new PredictPanel(m_context, parent);
-        connect(predict, &PredictPanel::predicting, &m_lane->scene(), &LaneScene::hideFuture);
+        connect(predict, &PredictPanel::predicting, m_lane, [this](bool predicting) {
+            m_predicting = predicting;
+            hideFuture();
+        });
         return predict;
     });
     m_rail->furnish(Room::Tables, [this](QWidget* parent) { return new TablesPanel(m_context, parent); });
+}
+
+// What a lesson says stays to be read while its stop shows another panel.
+void MainWindow::addCaption(LessonPanel& lessons) {
+    auto* caption = new LessonCaption(m_context, lessons.player(), centralWidget());
+    auto* column = static_cast<QVBoxLayout*>(centralWidget()->layout());
+    column->insertWidget(column->indexOf(m_message) + 1, caption);
+    const auto follow = [this, caption] {
+        caption->setPanelInFront(m_rail->isOpen() && m_rail->current() == Room::Lessons);
+    };
+    connect(m_rail, &Rail::entered, caption, follow);
+    connect(m_rail, &Rail::openChanged, caption, follow);
+    connect(caption, &LessonCaption::panelWanted, this, [this] { enter(Room::Lessons); });
+}
+
+void MainWindow::hideFuture() {
+    m_lane->scene().hideFuture(m_isAsked || m_predicting);
+    m_timeline->hideFuture(m_isAsked); // who predicts may choose among the collisions
 }
 
 void MainWindow::furnishAlley() {

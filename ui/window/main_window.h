@@ -18,6 +18,7 @@ class EditOptions;
 class EditTool;
 class FileFlow;
 class LanePanel;
+class LessonPanel;
 class MessageBar;
 class Rail;
 class Shortcuts;
@@ -73,6 +74,8 @@ private:
     void showPanelsFor(const Run& run);
     void followGame();
     void bringForward(LessonShow what);
+    void addCaption(LessonPanel& lessons);
+    void hideFuture();
     void openSelection();
     void toggleLanguage();
 
@@ -97,6 +100,8 @@ private:
     bool m_inLesson = false;
     bool m_mayLoseEdits = false; // said once, for the lesson that comes
     bool m_leaving = false;      // the question of what is not saved was answered
+    bool m_isAsked = false;      // a lesson's question is open
+    bool m_predicting = false;   // or a class predicts: the lane does not tell what comes
 };
 
 } // namespace thetalane
