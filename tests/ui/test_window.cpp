@@ -245,6 +245,39 @@ private slots:
         QVERIFY(!p.window.findChild<QAbstractButton*>("sceneButton")->text().endsWith("수업의 장면"));
     }
 
+    void lessonsFitTheWindowWhateverTheyShow_data() {
+        QTest::addColumn<int>("lesson");
+        for (int k = 0; k < 10; ++k)
+            QTest::addRow("lesson %d", k + 1) << k;
+    }
+    void lessonsFitTheWindowWhateverTheyShow() {
+        QFETCH(int, lesson);
+        for (const bool projector : {false, true}) {
+            const QSize size = projector ? QSize(1280, 800) : QSize(1024, 700);
+            Program p(lesson % 2 ? Language::Code::Korean : Language::Code::English, size);
+            p.appearance.setProjector(projector);
+            p.window.enter(Room::Lessons);
+            auto* lessons = p.window.findChild<LessonPanel*>();
+            lessons->giveLesson(lesson);
+            auto* words = p.window.findChild<QLabel*>("lessonCaptionText");
+            const auto* rail = p.window.findChild<Rail*>("rail");
+            for (int page = 0; page < lessons->player().pageCount(); ++page) {
+                lessons->player().goTo(page);
+                const auto fits = [&] {
+                    const int right = rail->mapTo(&p.window, QPoint(rail->width(), 0)).x();
+                    return p.window.size() == size && right <= size.width() &&
+                           (!words->isVisible() ||
+                            words->height() + 1 >= words->heightForWidth(words->width()));
+                };
+                QTRY_VERIFY2(fits(), qPrintable(QString("page %1, window %2 x %3, projector %4")
+                                                    .arg(page)
+                                                    .arg(p.window.width())
+                                                    .arg(p.window.height())
+                                                    .arg(projector)));
+            }
+        }
+    }
+
     void koreanPagesHoldNoEnglish_data() { sceneRows(); }
     void koreanPagesHoldNoEnglish() {
         QFETCH(QString, scene);
