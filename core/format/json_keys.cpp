@@ -148,4 +148,9 @@ std::unordered_map<std::string, qsizetype> keyOffsets(const QByteArray& json,
     return std::move(walk.found);
 }
 
+std::string parentPath(const std::string& path) {
+    const auto cut = path.find_last_of(".[");
+    return cut == std::string::npos ? std::string() : path.substr(0, cut);
+}
+
 } // namespace thetalane

@@ -15,29 +15,6 @@ using Errors = std::vector<LessonError>;
 
 constexpr const char* formatName = "thetalane-lesson";
 
-std::string parentOf(const std::string& path) {
-    const auto cut = path.find_last_of(".[");
-    return cut == std::string::npos ? std::string() : path.substr(0, cut);
-}
-
-// A fault stands where its key stands; one of a key that is missing, where the object begins that lacks it.
-void sortByPlace(Errors& errors, const QByteArray& json) {
-    std::unordered_set<std::string> wanted;
-    for (const LessonError& e : errors)
-        for (std::string p = e.path; !p.empty() && wanted.insert(p).second;)
-            p = parentOf(p);
-    const auto offsets = keyOffsets(json, wanted);
-    const auto offsetOf = [&](std::string path) {
-        for (; !path.empty(); path = parentOf(path))
-            if (const auto it = offsets.find(path); it != offsets.end())
-                return it->second;
-        return qsizetype(0);
-    };
-    std::stable_sort(errors.begin(), errors.end(), [&](const LessonError& a, const LessonError& b) {
-        return offsetOf(a.path) < offsetOf(b.path);
-    });
-}
-
 // What is no JSON, or not strictly, the reader of scenes knows how to tell.
 std::optional<LessonError> notJson(const QByteArray& json) {
     const QJsonDocument document = QJsonDocument::fromJson(json);

@@ -170,35 +170,6 @@ Scene readMembers(const QJsonObject& file, Errors& errors) {
     return scene;
 }
 
-// bodies[1].mass -> bodies[1] -> bodies -> nothing
-std::string parentOf(const std::string& path) {
-    const auto cut = path.find_last_of(".[");
-    return cut == std::string::npos ? std::string() : path.substr(0, cut);
-}
-
-// A fault stands where its key stands; one of a key that is missing, where the object begins that lacks it.
-void sortByPlace(Errors& errors, const QByteArray& json) {
-    std::unordered_set<std::string> wanted;
-    for (const SceneError& e : errors)
-        for (std::string p = e.path; !p.empty() && wanted.insert(p).second;)
-            p = parentOf(p);
-    const auto offsets = keyOffsets(json, wanted);
-    const auto offsetOf = [&](std::string path) {
-        for (; !path.empty(); path = parentOf(path))
-            if (const auto it = offsets.find(path); it != offsets.end())
-                return it->second;
-        return qsizetype(0);
-    };
-    std::vector<std::pair<qsizetype, SceneError>> placed;
-    placed.reserve(errors.size());
-    for (SceneError& e : errors)
-        placed.emplace_back(offsetOf(e.path), std::move(e));
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t i = 0; i < errors.size(); ++i)
-        errors[i] = std::move(placed[i].second);
-}
-
 bool isOfOneValue(SceneErrorCode code) {
     using enum SceneErrorCode;
     return code == NotPositive || code == OutOfRange || code == OutOfOpenRange || code == EmptyId ||
@@ -211,7 +182,7 @@ void addValueErrors(const Scene& scene, Errors& errors) {
     for (const SceneError& e : errors)
         told.insert(e.path);
     for (SceneError& e : validate(scene))
-        if (isOfOneValue(e.code) && !told.contains(e.path) && !told.contains(parentOf(e.path)))
+        if (isOfOneValue(e.code) && !told.contains(e.path) && !told.contains(parentPath(e.path)))
             errors.push_back(std::move(e));
 }
 

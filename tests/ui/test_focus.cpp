@@ -1,35 +1,18 @@
 // Where the focus is can be seen: on everything the Tab key reaches, in every room, light and dark.
-#include "ui/rail/rail.h"
-#include "ui/window/main_window.h"
+#include "tests/ui/whole_program.h"
 
 #include <QApplication>
 #include <QScrollArea>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace thetalane;
+using namespace thetalane::testing;
 
 namespace {
 
-struct Program {
-    Language language;
-    Session session;
-    Appearance appearance;
-    Playhead playhead{session};
-    std::unique_ptr<MainWindow> window;
-
-    explicit Program(bool dark) {
-        language.use(Language::Code::Korean);
-        window = std::make_unique<MainWindow>(Context{session, playhead, appearance}, language);
-        appearance.setReducedMotion(true);
+struct Program : WholeProgram {
+    explicit Program(bool dark)
+        : WholeProgram(Language::Code::Korean) {
         appearance.setDark(dark);
-        window->resize(1280, 800);
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-        window->activateWindow();
-        QTRY_VERIFY(window->isActiveWindow());
     }
 };
 
@@ -67,13 +50,7 @@ class TestFocus : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName("ThetaLaneTest");
-        QCoreApplication::setApplicationName("ThetaLaneFocus");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { keepSettingsIn(m_settings, "ThetaLaneFocus"); }
 
     void theFocusIsSeen_data() {
         QTest::addColumn<QString>("scene");
@@ -95,9 +72,9 @@ private slots:
         QFETCH(bool, dark);
         Program p(dark);
         QVERIFY(p.session.openBuiltin(scene));
-        p.window->enter(Room(room));
+        p.window.enter(Room(room));
         QCoreApplication::processEvents();
-        const auto stops = stopsIn(*p.window->findChild<Rail*>("rail")->panel(Room(room)));
+        const auto stops = stopsIn(*p.rail().panel(Room(room)));
         QVERIFY(!stops.empty());
         for (QWidget* stop : stops) {
             for (QWidget* up = stop->parentWidget(); up; up = up->parentWidget())
@@ -105,9 +82,9 @@ private slots:
                     scroll->ensureWidgetVisible(stop, 8, 8);
             if (QApplication::focusWidget())
                 QApplication::focusWidget()->clearFocus();
-            const QImage without = seen(*p.window, *stop);
+            const QImage without = seen(p.window, *stop);
             stop->setFocus(Qt::TabFocusReason);
-            const QImage with = seen(*p.window, *stop);
+            const QImage with = seen(p.window, *stop);
             if (with.size() == without.size()) // else it moved: that is seen
                 QVERIFY2(pixelsThatDiffer(with, without) >= 30,
                          qPrintable(QString(stop->metaObject()->className()) + ' ' + stop->objectName()));

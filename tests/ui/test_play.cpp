@@ -1,38 +1,23 @@
 // A whole game in the whole window, by two players who have keys and a mouse and nothing else.
 #include "core/format/game_file.h"
 #include "tests/core/slow_scorer.h"
+#include "tests/ui/whole_program.h"
 #include "ui/game/alley.h"
 #include "ui/lane/lane_view.h"
 #include "ui/rail/rail_button.h"
 #include "ui/rail/rooms.h"
-#include "ui/window/main_window.h"
 
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace thetalane;
+using namespace thetalane::testing;
 
 namespace {
 
-struct Program {
-    Language language;
-    Session session;
-    Appearance appearance;
-    Playhead playhead{session};
-    MainWindow window;
-
+struct Program : WholeProgram {
     Program()
-        : window(Context{session, playhead, appearance}, language) {
-        appearance.setReducedMotion(true);
-        window.resize(1280, 800);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        window.activateWindow();
-    }
+        : WholeProgram(Language::Code::English) {}
     Alley& alley() { return window.alley(); }
     LaneView& lane() { return *window.findChild<LaneView*>("laneView"); }
     QPushButton& button(const char* name) { return *window.findChild<QPushButton*>(QLatin1String(name)); }
@@ -79,13 +64,7 @@ class TestPlay : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName("ThetaLaneTest");
-        QCoreApplication::setApplicationName("ThetaLanePlay");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { keepSettingsIn(m_settings, "ThetaLanePlay"); }
 
     void twoPlayersPlayAGame() {
         Program p;

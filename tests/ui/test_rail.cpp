@@ -1,8 +1,7 @@
 // The rail and its rooms, the glossary, the keys: driven by real clicks and keys.
+#include "tests/ui/whole_program.h"
 #include "ui/help/words_panel.h"
-#include "ui/rail/rail.h"
 #include "ui/rail/rail_button.h"
-#include "ui/window/main_window.h"
 #include "ui/words/glossary.h"
 
 #include <QHelpEvent>
@@ -10,10 +9,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSet>
-#include <QSettings>
 #include <QStackedWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolTip>
@@ -21,28 +17,15 @@
 #include <cmath>
 
 using namespace thetalane;
+using namespace thetalane::testing;
 
 namespace {
 
-struct Program {
-    Language language;
-    Session session;
-    Appearance appearance;
-    Playhead playhead{session};
-    std::unique_ptr<MainWindow> window;
-
-    explicit Program(Language::Code code = Language::Code::English) {
-        language.use(code);
-        window = std::make_unique<MainWindow>(Context{session, playhead, appearance}, language);
-        appearance.setReducedMotion(true);
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-    }
-    Rail& rail() { return *window->findChild<Rail*>("rail"); }
-    RailButton& button(Room room) {
-        return *window->findChild<RailButton*>(QString("room%1").arg(int(room)));
-    }
-    QWidget& panels() { return *window->findChild<QStackedWidget*>("panels"); }
+struct Program : WholeProgram {
+    explicit Program(Language::Code code = Language::Code::English)
+        : WholeProgram(code) {}
+    RailButton& button(Room room) { return *window.findChild<RailButton*>(QString("room%1").arg(int(room))); }
+    QWidget& panels() { return *window.findChild<QStackedWidget*>("panels"); }
 };
 
 // WCAG 2: relative luminance, contrast ratio.
@@ -63,24 +46,20 @@ class TestRail : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QCoreApplication::setOrganizationName("ThetaLaneTest");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { keepSettingsIn(m_settings, "ThetaLaneRail"); }
 
     void aClickEntersAndAnotherFoldsAway() {
         Program p;
         QVERIFY(p.panels().isVisible());
-        const int lane = p.window->findChild<QWidget*>("lanePanel")->width();
+        const int lane = p.window.findChild<QWidget*>("lanePanel")->width();
         QTest::mouseClick(&p.button(Room::Glossary), Qt::LeftButton);
         QCOMPARE(p.rail().current(), Room::Glossary);
         QTest::mouseClick(&p.button(Room::Glossary), Qt::LeftButton);
         QVERIFY(!p.panels().isVisible());
         QVERIFY(!p.button(Room::Glossary).isChecked());
         QTest::qWait(1);
-        QVERIFY(p.window->findChild<QWidget*>("lanePanel")->width() > lane + 200);
-        QTest::keyClick(p.window.get(), Qt::Key_F9);
+        QVERIFY(p.window.findChild<QWidget*>("lanePanel")->width() > lane + 200);
+        QTest::keyClick(&p.window, Qt::Key_F9);
         QVERIFY(p.panels().isVisible());
         QTest::mouseClick(&p.button(Room::Steps), Qt::LeftButton);
         QCOMPARE(p.rail().current(), Room::Steps);
@@ -101,7 +80,7 @@ private slots:
             ++count;
         QVERIFY(count >= 5);
         for (int k = 0; k < std::min(count, 9); ++k) {
-            QTest::keyClick(p.window.get(), Qt::Key(Qt::Key_1 + k), Qt::AltModifier);
+            QTest::keyClick(&p.window, Qt::Key(Qt::Key_1 + k), Qt::AltModifier);
             QCOMPARE(p.rail().current(), *p.rail().offered(k));
         }
         p.button(*p.rail().offered(0)).setFocus();
@@ -115,7 +94,7 @@ private slots:
     void aShortRailShowsIconsAlone() {
         Program p;
         p.appearance.setProjector(true);
-        p.window->resize(1024, 600);
+        p.window.resize(1024, 600);
         QTest::qWait(1);
         for (int k = 0; p.rail().offered(k); ++k) {
             const RailButton& button = p.button(*p.rail().offered(k));
@@ -147,11 +126,11 @@ private slots:
     void f1OpensTheTermWithTheFocus() {
         Program p;
         p.playhead.select(0);
-        auto* header = p.window->findChild<QWidget*>("stepHeader3");
+        auto* header = p.window.findChild<QWidget*>("stepHeader3");
         header->setFocus(Qt::TabFocusReason);
         QTest::keyClick(header, Qt::Key_F1);
         QCOMPARE(p.rail().current(), Room::Glossary);
-        auto* text = p.window->findChild<QTextBrowser*>("terms");
+        auto* text = p.window.findChild<QTextBrowser*>("terms");
         QVERIFY(text->verticalScrollBar()->value() > 0);
         const QString atTop = text->cursorForPosition(QPoint(2, 8)).block().text();
         QVERIFY2(atTop.contains("1-D exchange"), qPrintable(atTop));
@@ -160,7 +139,7 @@ private slots:
     void aPauseOfTheMouseExplains() {
         Program p(Language::Code::Korean);
         p.playhead.select(0);
-        auto* header = p.window->findChild<QWidget*>("stepHeader2");
+        auto* header = p.window.findChild<QWidget*>("stepHeader2");
         QHelpEvent pause(QEvent::ToolTip, QPoint(5, 5), header->mapToGlobal(QPoint(5, 5)));
         QCoreApplication::sendEvent(header, &pause);
         QVERIFY2(QToolTip::text().contains(QStringLiteral("좌표축의 회전")), qPrintable(QToolTip::text()));
@@ -169,9 +148,9 @@ private slots:
 
     void theSearchFindsEitherLanguage() {
         Program p(Language::Code::Korean);
-        QTest::keyClick(p.window.get(), Qt::Key_F1);
-        auto* search = p.window->findChild<QLineEdit*>("searchTerms");
-        auto* text = p.window->findChild<QTextBrowser*>("terms");
+        QTest::keyClick(&p.window, Qt::Key_F1);
+        auto* search = p.window.findChild<QLineEdit*>("searchTerms");
+        auto* text = p.window.findChild<QTextBrowser*>("terms");
         QVERIFY(text->toPlainText().contains("Ctrl+"));
         search->setFocus();
         QTest::keyClicks(search, "RESTITUTION");
@@ -211,12 +190,12 @@ private slots:
         {
             Program p;
             QVERIFY(!p.appearance.dark());
-            QTest::keyClick(p.window.get(), Qt::Key_D);
+            QTest::keyClick(&p.window, Qt::Key_D);
             QVERIFY(p.appearance.dark());
-            QVERIFY(p.window->close());
+            QVERIFY(p.window.close());
         }
         Program p;
-        p.window->restoreState();
+        p.window.restoreState();
         QVERIFY(p.appearance.dark());
     }
 

@@ -1,46 +1,27 @@
 // The terms where a reader meets them: in every room a pause of the mouse and F1 explain the right one, in
 // both languages.
+#include "tests/ui/whole_program.h"
 #include "ui/game/alley.h"
-#include "ui/rail/rail.h"
-#include "ui/window/main_window.h"
 #include "ui/words/glossary.h"
 
 #include <QAbstractItemModel>
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QSet>
-#include <QSettings>
 #include <QStackedWidget>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolTip>
 
 using namespace thetalane;
+using namespace thetalane::testing;
 
 namespace {
 
-struct Program {
-    Language language;
-    Session session;
-    Appearance appearance;
-    Playhead playhead{session};
-    std::unique_ptr<MainWindow> window;
-
-    explicit Program(Language::Code code) {
-        language.use(code);
-        window = std::make_unique<MainWindow>(Context{session, playhead, appearance}, language);
-        appearance.setReducedMotion(true);
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-        window->activateWindow();
-        QTRY_VERIFY(window->isActiveWindow());
-    }
-    Rail& rail() { return *window->findChild<Rail*>("rail"); }
+struct Program : WholeProgram {
+    using WholeProgram::WholeProgram;
     QWidget& enter(Room room) {
-        window->enter(room);
+        window.enter(room);
         QCoreApplication::processEvents();
         return *rail().panel(room);
     }
@@ -94,13 +75,7 @@ class TestTerms : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true); // games are kept, but not among the user's
-        QCoreApplication::setOrganizationName("ThetaLaneTest");
-        QCoreApplication::setApplicationName("ThetaLaneTerms");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { keepSettingsIn(m_settings, "ThetaLaneTerms"); }
 
     void aPauseExplainsEveryTermOfARoom_data() {
         QTest::addColumn<bool>("korean");
@@ -158,13 +133,13 @@ private slots:
     void theWordsOfAGameAreExplained() {
         Program p(Language::Code::Korean);
         const QWidget& panel = p.enter(Room::Game);
-        p.window->alley().start({{"Ada", 0}}, ScoringRules::Traditional, {});
+        p.window.alley().start({{"Ada", 0}}, ScoringRules::Traditional, {});
         for (int ball = 0; ball < 3; ++ball) { // the default throw strikes
-            p.window->alley().throwBall();
-            p.window->alley().tellScore();
+            p.window.alley().throwBall();
+            p.window.alley().tellScore();
             auto* told = panel.findChild<QWidget*>("announcement");
             QCOMPARE(told->property(termProperty).toString(), QString(ball == 0 ? "strike" : "turkey"));
-            p.window->alley().next();
+            p.window.alley().next();
         }
         QVERIFY(explained({panel.findChild<QWidget*>("markFoul"), QPoint(5, 5), {}}).contains(u"파울"));
         QSet<QString> met;
@@ -174,13 +149,13 @@ private slots:
                 met << spot.term;
         for (const char* term : {"strike", "spare", "split", "open-frame", "pocket"})
             QVERIFY2(met.contains(QLatin1String(term)), term);
-        p.window->alley().undo();
-        p.window->alley().close();
+        p.window.alley().undo();
+        p.window.alley().close();
     }
 
     void everyWayOfComputingIsExplained() {
         Program p(Language::Code::English);
-        auto* combo = p.window->findChild<QWidget*>("engineCombo");
+        auto* combo = p.window.findChild<QWidget*>("engineCombo");
         for (const auto& [kind, term] :
              {std::pair{EngineKind::Event, "next-event"}, std::pair{EngineKind::Stepped, "papers-loop"},
               std::pair{EngineKind::Swept, "swept-steps"}}) {
@@ -203,7 +178,7 @@ private slots:
         field->setFocus(Qt::TabFocusReason);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
         QCOMPARE(p.rail().current(), Room::Glossary);
-        auto* text = p.window->findChild<QTextBrowser*>("terms");
+        auto* text = p.window.findChild<QTextBrowser*>("terms");
         const QString atTop = text->cursorForPosition(QPoint(2, 8)).block().text();
         QVERIFY2(atTop.startsWith(glossaryEntry("axis")->term), qPrintable(atTop));
     }

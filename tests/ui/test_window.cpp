@@ -1,10 +1,8 @@
 // The whole window, driven by real keys and clicks, in both languages and at the sizes it is used at.
-#include "ui/window/main_window.h"
-
 #include "core/scene/builtin.h"
+#include "tests/ui/whole_program.h"
 #include "ui/game/alley.h"
 #include "ui/lessons/lesson_panel.h"
-#include "ui/rail/rail.h"
 #include "ui/rail/rail_button.h"
 
 #include <QAbstractButton>
@@ -14,41 +12,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
-#include <QSettings>
 #include <QSplitter>
-#include <QStandardPaths>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 using namespace thetalane;
+using namespace thetalane::testing;
 
 namespace {
 
-// A program as main() puts it together.
-struct Program {
-    Language language;
-    Session session;
-    Appearance appearance;
-    Playhead playhead{session};
-    MainWindow window;
-
-    explicit Program(Language::Code code, QSize size = {1280, 800})
-        : window(Context{session, playhead, appearance}, useFirst(language, code)) {
-        appearance.setReducedMotion(true);
-        window.resize(size);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        window.activateWindow();
-        QTRY_VERIFY(window.isActiveWindow());
-        QCoreApplication::processEvents();
-    }
-    static Language& useFirst(Language& language, Language::Code code) {
-        language.use(code);
-        return language;
-    }
-};
+using Program = WholeProgram;
 
 QStringList textsOf(const QWidget* w) {
     QStringList texts{w->toolTip(), w->accessibleName(), w->accessibleDescription()};
@@ -91,14 +64,7 @@ class TestWindow : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QVERIFY(m_settings.isValid());
-        QStandardPaths::setTestModeEnabled(true); // games are kept, but not among the user's
-        QCoreApplication::setOrganizationName("ThetaLaneTest");
-        QCoreApplication::setApplicationName("ThetaLaneTest");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    }
+    void initTestCase() { keepSettingsIn(m_settings, "ThetaLaneTest"); }
 
     void opensOnTwoBallsAboutToMeet() {
         Program p(Language::Code::English);
